@@ -1,0 +1,20 @@
+// What a long computation tells its caller, and how the caller stops it.
+#pragma once
+#include <atomic>
+#include <functional>
+
+namespace ga_symmetry {
+
+/// Progress and cancellation. Both may be left empty.
+struct Context {
+  /// Called from the calling thread only, with the whole run's fraction in [0,1] (never falling) and the stage's name.
+  std::function<void(double fraction, const char* stage)> progress;
+  /// Set by anyone, from any thread or signal handler, to stop: the computation throws Cancelled soon after.
+  const std::atomic<bool>* cancel = nullptr;
+
+  bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+  /// Reports progress. @throws Cancelled if asked to stop.
+  void report(double fraction, const char* stage) const;
+};
+
+}  // namespace ga_symmetry

@@ -1,0 +1,87 @@
+// What a run returns: everything that a caller would otherwise compute again.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ga_symmetry/triangle_mesh.h"
+
+namespace ga_symmetry {
+
+enum class SymmetryKind { reflection, rotation };
+enum class StopReason { success_threshold, converged, max_generations };
+const char* to_string(SymmetryKind kind);
+const char* to_string(StopReason reason);
+
+/// A point on a face of the input mesh: `weight[k]` belongs to vertex `vertex[k]`; weights >= 0, sum 1.
+struct SurfacePoint {
+  std::array<int, 3> vertex{-1, -1, -1};
+  std::array<double, 3> weight{0, 0, 0};
+};
+
+/// One generation of the genetic search.
+struct GenerationLog {
+  int generation = 0;
+  double best = 0;       ///< lowest cost so far; never rises
+  double mean = 0;       ///< mean of the finite costs of the population
+  double diversity = 0;  ///< share of distinct individuals, (0,1]
+};
+
+/// A pair of evenly spaced samples found symmetric; mesh vertex indices.
+struct SymmetricPair {
+  int vertex = -1;
+  int partner = -1;
+  double fitness = 0;
+};
+
+/// One distinct symmetry that the search found, best first in Result::symmetries.
+struct FoundSymmetry {
+  SymmetryKind kind = SymmetryKind::reflection;
+  int order = 2;     ///< applied so often it is the identity; 2 for a reflection
+  double score = 0;  ///< cost at vertex resolution, >= 0, lower is better
+};
+
+/// Seconds of one stage, in the order in which the stages ran.
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// Result of find_symmetry. Vertex indices are those of the TriangleMesh that was given.
+struct Result {
+  std::vector<int> partner;     ///< per vertex: its partner's index, -1 = none
+  std::vector<double> fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless; of a vertex without partner: the largest found
+  std::vector<int> side;        ///< per vertex: +1 left, 0 on the axis, -1 right
+  std::vector<SurfacePoint> partner_point;  ///< per vertex: the partner as a point on a face (vertex -1 = none)
+
+  SymmetryKind kind = SymmetryKind::reflection;
+  int order = 2;
+  std::vector<SymmetricPair> pairs;                      ///< the samples and their partners
+  std::vector<std::vector<SurfacePoint>> axis;           ///< polylines on the surface; a closed one repeats its first point
+  std::vector<FoundSymmetry> symmetries;                 ///< all distinct ones, best first
+  double confidence = 1;                                 ///< [0,1]: how far the best is ahead of the runner-up
+  std::vector<int> axis_references;                      ///< as used
+  std::vector<std::array<int, 2>> pair_references;       ///< as used
+
+  double mean_fitness = 0;  ///< over vertices with a partner
+  int matched = 0;          ///< vertices with a partner
+  std::vector<GenerationLog> log;
+  StopReason stop = StopReason::max_generations;
+  std::vector<StageTime> seconds;
+  std::vector<std::string> warnings;  ///< one line each, for the user
+  std::uint64_t seed = 1;
+};
+
+/// Writes the result; the ending of `path` chooses the format. The file appears whole or not at all.
+///  .csv   header `vertex,partner,fitness,side`, one row per vertex, 0-based
+///  .json  everything in Result
+///  .ply   the mesh coloured by fitness, with quality and the three attributes per vertex
+/// @throws InvalidOption  for another ending
+/// @throws FileError      if the file cannot be written
+void write_result(const std::string& path, const TriangleMesh& mesh, const Result& result);
+
+/// A path that write_result would refuse is refused here, before the work. @throws InvalidOption, FileError
+void check_result_path(const std::string& path);
+
+}  // namespace ga_symmetry
