@@ -1,0 +1,205 @@
+#include "find_partners.h"
+
+#include <vcg/complex/algorithms/update/color.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ga_symmetry/symmetry.h"
+
+namespace ga_symmetry {
+namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
+
+constexpr const char* info =
+    "Finds for every vertex its partner on the other side of the shape, whatever the pose.<br>"
+    "<b>First select four vertices:</b> two on the symmetry axis (such as nose and tail) and one left-right pair "
+    "(such as two feet), in any order.<br>"
+    "Writes the vertex attributes symmetry_partner, symmetry_fitness and symmetry_side; fitness also becomes the "
+    "quality, and colour: blue is a perfect match, red a poor one.";
+
+// MeshLab's float of a decimal number, as the double of that number: the dialog's 1.96 is the command line's 1.96.
+double decimal(Scalarm value) { return QString::number(value, 'g', 7).toDouble(); }
+
+RichParameterList parameters() {
+  const Options defaults;
+  const PairsOptions& pairs = defaults.pairs;
+  const JointOptions& joint = defaults.joint;
+  RichParameterList list;
+  list.addParam(RichString("references", "", "References",
+                           "Known vertices, by index, instead of the selection: a0,a1,l,r are two points on the "
+                           "symmetry axis and a left-right pair. 3,8,12:57,90:4 are two axis points and two pairs. "
+                           "Empty = the four selected vertices."));
+  list.addParam(RichBool("automatic", false, "Without references: search for the symmetry",
+                         "With nothing selected and no references given, find the symmetry from the shape alone."));
+  list.addParam(RichEnum("symmetry", static_cast<int>(defaults.symmetry), {"Reflection", "Rotation"}, "Symmetry",
+                         "Reflection swaps left and right; Rotation takes every vertex to the next one around."));
+  list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
+                             "A file that gets the partners too: .csv (vertex,partner,fitness,side), .json "
+                             "(everything) or .ply (the coloured mesh with its attributes). Empty = none."));
+  list.addParam(RichEnum("method", static_cast<int>(defaults.method), {"Joint", "Pairs"}, "Method",
+                         "Joint searches for all partners at once and is the accurate one. Pairs is the original "
+                         "pair-wise genetic algorithm; it needs references."));
+  list.addParam(RichBool("largest_component", defaults.largest_component, "Only the largest component",
+                         "Work on the component of the largest area, instead of refusing a mesh of several."));
+  list.addParam(RichInt("seed", static_cast<int>(defaults.seed), "Seed",
+                        "Of the random numbers, at least 0: the same seed and mesh give the same result."));
+  list.addParam(
+      RichInt("threads", defaults.threads, "Threads", "0 to 256; 0 = all cores. Changes the time, never the result."));
+
+  list.addParam(RichInt("joint_samples", joint.samples, "Joint: samples",
+                        "Evenly spaced samples that the search works on, 20 to 1000."));
+  list.addParam(RichInt("joint_population", joint.population, "Joint: population", "Maps in competition, 4 to 10000."));
+  list.addParam(RichInt("joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000."));
+  list.addParam(
+      RichFloat("joint_elite", joint.elite, "Joint: elite", "Share of the population that is kept unchanged, 0 to 1."));
+  list.addParam(RichFloat("joint_mutation", joint.mutation_probability, "Joint: mutation probability",
+                          "Per gene and generation, 0 to 1."));
+
+  list.addParam(RichEnum("pairs_error", static_cast<int>(pairs.error), {"Squared", "Linear"}, "Pairs: fitness",
+                         "The relative error of the distances to the axis points, squared or absolute."));
+  list.addParam(RichInt("pairs_samples", pairs.samples, "Pairs: samples", "On both sides together, 20 to 20000."));
+  list.addParam(RichEnum("pairs_sampling", static_cast<int>(pairs.sampling), {"Evenly spaced", "Uniform"},
+                         "Pairs: sampling", "How the samples are chosen."));
+  list.addParam(RichInt("pairs_individuals", pairs.individuals, "Pairs: individuals",
+                        "Pairs in competition per reference vertex, 1 to 100."));
+  list.addParam(RichInt("pairs_regions", pairs.regions, "Pairs: regions",
+                        "Distance regions per axis point, through which the crossover moves, 2 to 100."));
+  list.addParam(RichFloat("pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
+                          "A pair whose Z-error is above is mutated."));
+  list.addParam(RichFloat("pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
+                          "A pair whose Z-error is below is kept as it is."));
+  list.addParam(RichFloat("pairs_mutation", pairs.mutation_probability, "Pairs: mutation probability",
+                          "Per pair and generation, 0 to 1."));
+  list.addParam(RichInt("pairs_generations", pairs.max_generations, "Pairs: generations", "At most, 1 to 100000."));
+  return list;
+}
+
+Options to_options(const RichParameterList& list) {
+  Options options;
+  options.symmetry = static_cast<SymmetryKind>(list.getEnum("symmetry"));
+  options.method = static_cast<Method>(list.getEnum("method"));
+  options.largest_component = list.getBool("largest_component");
+  const int seed = list.getInt("seed");
+  if (seed < 0) throw InvalidOption("seed must be at least 0, got " + std::to_string(seed));
+  options.seed = static_cast<std::uint64_t>(seed);
+  options.threads = list.getInt("threads");
+
+  options.joint.samples = list.getInt("joint_samples");
+  options.joint.population = list.getInt("joint_population");
+  options.joint.max_generations = list.getInt("joint_generations");
+  options.joint.elite = decimal(list.getFloat("joint_elite"));
+  options.joint.mutation_probability = decimal(list.getFloat("joint_mutation"));
+
+  options.pairs.error = static_cast<PairError>(list.getEnum("pairs_error"));
+  options.pairs.samples = list.getInt("pairs_samples");
+  options.pairs.sampling = static_cast<Sampling>(list.getEnum("pairs_sampling"));
+  options.pairs.individuals = list.getInt("pairs_individuals");
+  options.pairs.regions = list.getInt("pairs_regions");
+  options.pairs.outlier_z = decimal(list.getFloat("pairs_outlier_z"));
+  options.pairs.mutation_barrier_z = decimal(list.getFloat("pairs_barrier_z"));
+  options.pairs.mutation_probability = decimal(list.getFloat("pairs_mutation"));
+  options.pairs.max_generations = list.getInt("pairs_generations");
+  return options;
+}
+
+// The text rules; without it four selected vertices do; without those, and if allowed, there are none.
+References choose_references(const std::string& text, bool automatic, const CMeshO& m, const TriangleMesh& mesh) {
+  const References given = parse_references(text);
+  if (!given.empty()) return given;
+  std::vector<int> selected;
+  for (std::size_t i = 0; i < m.vert.size(); ++i)
+    if (m.vert[i].IsS()) selected.push_back(static_cast<int>(i));
+  if (selected.size() == 4)
+    return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]});
+  if (selected.empty() && automatic) return {};
+  throw InvalidOption("select exactly four vertices: two on the symmetry axis and one left-right pair; " +
+                      std::to_string(selected.size()) +
+                      " are selected (or give `references`, or select none and switch `automatic` on)");
+}
+
+template <class Value>
+void set_attribute(CMeshO& m, const char* name, const std::vector<Value>& values) {
+  // Handles are told apart by the size of their type only, so an older attribute of this name is no use.
+  if (vcg::tri::HasPerVertexAttribute(m, name)) Allocator::DeletePerVertexAttribute(m, name);
+  auto attribute = Allocator::AddPerVertexAttribute<Scalarm>(m, name);
+  for (std::size_t i = 0; i < values.size(); ++i) attribute[i] = static_cast<Scalarm>(values[i]);
+}
+
+std::string text(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+void log_summary(const Result& result, const FilterRun& run) {
+  std::string used;
+  for (int v : result.axis_references) used += (used.empty() ? "" : ",") + std::to_string(v);
+  for (const auto& p : result.pair_references)
+    used += (used.empty() ? "" : ",") + std::to_string(p[0]) + ":" + std::to_string(p[1]);
+  run.log("References: " + (used.empty() ? std::string("none") : used));
+  run.log("Found: " + std::string(to_string(result.kind)) + ", " + std::to_string(result.matched) + " of " +
+          std::to_string(result.partner.size()) + " vertices matched, " + std::to_string(result.pairs.size()) +
+          " pairs of samples, mean fitness " + text("%.4g", result.mean_fitness) + ", confidence " +
+          text("%.2f", result.confidence));
+  run.log("Search: " + std::to_string(result.log.size()) + " generations, stopped by " + to_string(result.stop));
+  std::string stages;
+  double total = 0;
+  for (const StageTime& stage : result.seconds) {
+    stages += (stages.empty() ? "" : ", ") + stage.stage + text(" %.2f", stage.seconds);
+    total += stage.seconds;
+  }
+  run.log("Seconds: " + text("%.2f", total) + " (" + stages + ")");
+  for (const std::string& warning : result.warnings) run.warn(warning);
+}
+
+FilterOutputs apply(const FilterRun& run) {
+  MeshModel* model = run.document.mm();
+  if (!model) throw InvalidMesh("there is no mesh; open one first");
+  CMeshO& m = model->cm;
+  Allocator::CompactEveryVector(m);
+  if (sizeof(Scalarm) == sizeof(float) && m.vert.size() > (std::size_t{1} << 24))
+    throw InvalidMesh("a mesh of more than 16777216 vertices has indices that MeshLab's float attributes cannot hold");
+
+  Options options = to_options(run.parameters);
+  const std::string path = run.parameters.getSaveFileName("export_to").toLocal8Bit().toStdString();
+  if (!path.empty()) check_result_path(path);
+  const TriangleMesh mesh = to_triangle_mesh(m);
+  options.references = choose_references(run.parameters.getString("references").toStdString(),
+                                         run.parameters.getBool("automatic"), m, mesh);
+
+  Context context;
+  context.progress = [&](double fraction, const char* stage) { run.progress(static_cast<int>(100 * fraction), stage); };
+  const Result result = find_symmetry(mesh, options, context);
+  if (!path.empty()) write_result(path, mesh, result);
+
+  // Nothing can fail from here on.
+  set_attribute(m, "symmetry_partner", result.partner);
+  set_attribute(m, "symmetry_fitness", result.fitness);
+  set_attribute(m, "symmetry_side", result.side);
+  model->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  for (std::size_t i = 0; i < m.vert.size(); ++i) m.vert[i].Q() = static_cast<Scalarm>(result.fitness[i]);
+  const auto worst = std::max_element(result.fitness.begin(), result.fitness.end());
+  // From the worst to 0: the ramp's first colour is red.
+  vcg::tri::UpdateColor<CMeshO>::PerVertexQualityRamp(m, static_cast<Scalarm>(*worst), 0);
+
+  log_summary(result, run);
+  return {{"matched", result.matched},
+          {"mean_fitness", result.mean_fitness},
+          {"confidence", result.confidence},
+          {"generations", static_cast<int>(result.log.size())}};
+}
+
+}  // namespace
+
+Filter find_partners_filter() {
+  return {"Intrinsic Symmetry: Find Partners",
+          "compute_intrinsic_symmetry_per_vertex",
+          info,
+          GA_SYMMETRY_FILTER_INTERFACE::VertexColoring | GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          parameters,
+          apply};
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,59 @@
+// What differs between MeshLab's generations of the filter interface: 2020.09, 2022.02, and 2023.12 with 2025.07.
+// CMake finds out from the headers which one it is (MESHLAB_GENERATION); the filters themselves do not know.
+#pragma once
+
+#if MESHLAB_GENERATION == 2020
+#include <common/interfaces.h>
+#define GA_SYMMETRY_FILTER_INTERFACE MeshFilterInterface
+#define GA_SYMMETRY_FILTER_IID MESH_FILTER_INTERFACE_IID
+#define GA_SYMMETRY_CONST_SINCE_2022
+#else
+#include <common/mlexception.h>
+#include <common/plugins/interfaces/filter_plugin.h>
+#define GA_SYMMETRY_FILTER_INTERFACE FilterPlugin
+#define GA_SYMMETRY_FILTER_IID FILTER_PLUGIN_IID
+#define GA_SYMMETRY_CONST_SINCE_2022 const
+#endif
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace ga_symmetry {
+
+#if MESHLAB_GENERATION == 2020
+using FilterAction = QAction;
+using FilterArity = MeshFilterInterface::FILTER_ARITY;
+#else
+using FilterAction = const QAction;
+using FilterArity = FilterPlugin::FilterArity;
+#endif
+
+#if MESHLAB_GENERATION >= 2023
+using RichSaveFile = RichFileSave;
+#endif
+
+/// One application of a filter: what it works on and whom it tells.
+struct FilterRun {
+  MeshDocument& document;
+  const RichParameterList& parameters;
+  std::function<void(int percent, const char* stage)> progress;
+  std::function<void(const std::string& line)> log;
+  std::function<void(const std::string& line)> warn;
+};
+
+/// Named values for scripts; seen by PyMeshLab only.
+using FilterOutputs = std::map<std::string, QVariant>;
+
+/// A filter, as every generation of MeshLab can run it. `apply` throws std::exception with a line for the user, and
+/// has then changed nothing.
+struct Filter {
+  const char* name;         ///< in menus and .mlx scripts
+  const char* python_name;  ///< in PyMeshLab
+  const char* info;         ///< HTML, on top of the dialog
+  int filter_class;         ///< FilterClass bits: the menus it appears in
+  RichParameterList (*parameters)();
+  FilterOutputs (*apply)(const FilterRun& run);
+};
+
+}  // namespace ga_symmetry
