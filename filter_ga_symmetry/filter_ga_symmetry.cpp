@@ -34,11 +34,9 @@ FilterGaSymmetry::FilterClass FilterGaSymmetry::getClass(ga_symmetry::FilterActi
   return static_cast<FilterClass>(filter(ID(action)).filter_class);
 }
 
-// "Unknown" keeps the dialog from offering a preview, which would run a slow filter at every keystroke, and from
-// putting back colours of its own when it is closed.
-int FilterGaSymmetry::postCondition(ga_symmetry::FilterAction*) const {
-  return static_cast<int>(MeshModel::MM_UNKNOWN);
-}
+// Compaction may change the number of vertices. To name it, and nothing else, also keeps the dialog from offering a
+// preview, which would run a slow filter at every keystroke, and from putting colours back when it is closed.
+int FilterGaSymmetry::postCondition(ga_symmetry::FilterAction*) const { return MeshModel::MM_VERTNUMBER; }
 
 #if MESHLAB_GENERATION == 2020
 

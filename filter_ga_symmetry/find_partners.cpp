@@ -151,7 +151,7 @@ void log_summary(const Result& result, const FilterRun& run) {
     total += stage.seconds;
   }
   run.log("Seconds: " + text("%.2f", total) + " (" + stages + ")");
-  for (const std::string& warning : result.warnings) run.warn(warning);
+  for (const std::string& warning : result.warnings) run.warn("Warning: " + warning);
 }
 
 FilterOutputs apply(const FilterRun& run) {
