@@ -12,12 +12,13 @@ namespace {
 
 using Allocator = vcg::tri::Allocator<CMeshO>;
 
+// Short lines: the dialog of 2020.09 cuts its last row off where this text is wrapped.
 constexpr const char* info =
-    "Finds for every vertex its partner on the other side of the shape, whatever the pose.<br>"
-    "<b>First select four vertices:</b> two on the symmetry axis (such as nose and tail) and one left-right pair "
-    "(such as two feet), in any order.<br>"
-    "Writes the vertex attributes symmetry_partner, symmetry_fitness and symmetry_side; fitness also becomes the "
-    "quality, and colour: blue is a perfect match, red a poor one.";
+    "Finds every vertex's partner on the other side, in any pose.<br>"
+    "<b>First select four vertices:</b> two on the symmetry axis<br>"
+    "(nose and tail) and a left-right pair (two feet).<br>"
+    "Attributes: symmetry_partner, _fitness, _side.<br>"
+    "Colour: blue is a perfect match, red a poor one.";
 
 // MeshLab's float of a decimal number, as the double of that number: the dialog's 1.96 is the command line's 1.96.
 double decimal(Scalarm value) { return QString::number(value, 'g', 7).toDouble(); }
@@ -38,41 +39,41 @@ RichParameterList parameters() {
   list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
                              "A file that gets the partners too: .csv (vertex,partner,fitness,side), .json "
                              "(everything) or .ply (the coloured mesh with its attributes). Empty = none."));
+  list.addParam(RichBool("largest_component", defaults.largest_component, "Only the largest component",
+                         "Work on the component of the largest area, instead of refusing a mesh of several."));
   list.addParam(RichEnum("method", static_cast<int>(defaults.method), {"Joint", "Pairs"}, "Method",
                          "Joint searches for all partners at once and is the accurate one. Pairs is the original "
                          "pair-wise genetic algorithm; it needs references."));
-  list.addParam(RichBool("largest_component", defaults.largest_component, "Only the largest component",
-                         "Work on the component of the largest area, instead of refusing a mesh of several."));
-  list.addParam(RichInt("seed", static_cast<int>(defaults.seed), "Seed",
-                        "Of the random numbers, at least 0: the same seed and mesh give the same result."));
-  list.addParam(
-      RichInt("threads", defaults.threads, "Threads", "0 to 256; 0 = all cores. Changes the time, never the result."));
 
-  list.addParam(RichInt("joint_samples", joint.samples, "Joint: samples",
-                        "Evenly spaced samples that the search works on, 20 to 1000."));
-  list.addParam(RichInt("joint_population", joint.population, "Joint: population", "Maps in competition, 4 to 10000."));
-  list.addParam(RichInt("joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000."));
-  list.addParam(
-      RichFloat("joint_elite", joint.elite, "Joint: elite", "Share of the population that is kept unchanged, 0 to 1."));
-  list.addParam(RichFloat("joint_mutation", joint.mutation_probability, "Joint: mutation probability",
-                          "Per gene and generation, 0 to 1."));
-
-  list.addParam(RichEnum("pairs_error", static_cast<int>(pairs.error), {"Squared", "Linear"}, "Pairs: fitness",
-                         "The relative error of the distances to the axis points, squared or absolute."));
-  list.addParam(RichInt("pairs_samples", pairs.samples, "Pairs: samples", "On both sides together, 20 to 20000."));
-  list.addParam(RichEnum("pairs_sampling", static_cast<int>(pairs.sampling), {"Evenly spaced", "Uniform"},
-                         "Pairs: sampling", "How the samples are chosen."));
-  list.addParam(RichInt("pairs_individuals", pairs.individuals, "Pairs: individuals",
-                        "Pairs in competition per reference vertex, 1 to 100."));
-  list.addParam(RichInt("pairs_regions", pairs.regions, "Pairs: regions",
-                        "Distance regions per axis point, through which the crossover moves, 2 to 100."));
-  list.addParam(RichFloat("pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
-                          "A pair whose Z-error is above is mutated."));
-  list.addParam(RichFloat("pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
-                          "A pair whose Z-error is below is kept as it is."));
-  list.addParam(RichFloat("pairs_mutation", pairs.mutation_probability, "Pairs: mutation probability",
-                          "Per pair and generation, 0 to 1."));
-  list.addParam(RichInt("pairs_generations", pairs.max_generations, "Pairs: generations", "At most, 1 to 100000."));
+  add_advanced<RichInt>(list, "seed", static_cast<int>(defaults.seed), "Seed",
+                        "Of the random numbers, at least 0: the same seed and mesh give the same result.");
+  add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
+                        "0 to 256; 0 = all cores. Changes the time, never the result.");
+  add_advanced<RichFloat>(list, "mutation_probability", joint.mutation_probability, "Mutation probability",
+                          "Per gene (Joint) or pair (Pairs) and generation, 0 to 1.");
+  add_advanced<RichInt>(list, "joint_samples", joint.samples, "Joint: samples",
+                        "Evenly spaced samples that the search works on, 20 to 1000.");
+  add_advanced<RichInt>(list, "joint_population", joint.population, "Joint: population",
+                        "Maps in competition, 4 to 10000.");
+  add_advanced<RichInt>(list, "joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000.");
+  add_advanced<RichFloat>(list, "joint_elite", joint.elite, "Joint: elite",
+                          "Share of the population that is kept unchanged, 0 to 1.");
+  add_advanced<RichEnum>(list, "pairs_error", static_cast<int>(pairs.error), QStringList{"Squared", "Linear"},
+                         "Pairs: fitness",
+                         "The relative error of the distances to the axis points, squared or absolute.");
+  add_advanced<RichInt>(list, "pairs_samples", pairs.samples, "Pairs: samples", "On both sides together, 20 to 20000.");
+  add_advanced<RichEnum>(list, "pairs_sampling", static_cast<int>(pairs.sampling),
+                         QStringList{"Evenly spaced", "Uniform"}, "Pairs: sampling", "How the samples are chosen.");
+  add_advanced<RichInt>(list, "pairs_individuals", pairs.individuals, "Pairs: individuals",
+                        "Pairs in competition per reference vertex, 1 to 100.");
+  add_advanced<RichInt>(list, "pairs_regions", pairs.regions, "Pairs: regions",
+                        "Distance regions per axis point, through which the crossover moves, 2 to 100.");
+  add_advanced<RichFloat>(list, "pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
+                          "A pair whose Z-error is above is mutated.");
+  add_advanced<RichFloat>(list, "pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
+                          "A pair whose Z-error is below is kept as it is.");
+  add_advanced<RichInt>(list, "pairs_generations", pairs.max_generations, "Pairs: generations",
+                        "At most, 1 to 100000.");
   return list;
 }
 
@@ -90,7 +91,7 @@ Options to_options(const RichParameterList& list) {
   options.joint.population = list.getInt("joint_population");
   options.joint.max_generations = list.getInt("joint_generations");
   options.joint.elite = decimal(list.getFloat("joint_elite"));
-  options.joint.mutation_probability = decimal(list.getFloat("joint_mutation"));
+  options.joint.mutation_probability = decimal(list.getFloat("mutation_probability"));
 
   options.pairs.error = static_cast<PairError>(list.getEnum("pairs_error"));
   options.pairs.samples = list.getInt("pairs_samples");
@@ -99,7 +100,7 @@ Options to_options(const RichParameterList& list) {
   options.pairs.regions = list.getInt("pairs_regions");
   options.pairs.outlier_z = decimal(list.getFloat("pairs_outlier_z"));
   options.pairs.mutation_barrier_z = decimal(list.getFloat("pairs_barrier_z"));
-  options.pairs.mutation_probability = decimal(list.getFloat("pairs_mutation"));
+  options.pairs.mutation_probability = options.joint.mutation_probability;
   options.pairs.max_generations = list.getInt("pairs_generations");
   return options;
 }

@@ -33,6 +33,16 @@ using FilterArity = FilterPlugin::FilterArity;
 using RichSaveFile = RichFileSave;
 #endif
 
+/// Adds a parameter that MeshLab, where it can, folds away until asked for.
+template <class Parameter, class... Arguments>
+void add_advanced(RichParameterList& list, const Arguments&... arguments) {
+#if MESHLAB_GENERATION == 2020
+  list.addParam(Parameter(arguments...));
+#else
+  list.addParam(Parameter(arguments..., true));
+#endif
+}
+
 /// One application of a filter: what it works on and whom it tells.
 struct FilterRun {
   MeshDocument& document;
