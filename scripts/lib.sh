@@ -1,0 +1,35 @@
+# Shared by the scripts here; sourced with the repository's root as the working directory.
+
+# Installs the packages that are missing; asks for root's rights only then.
+install_packages() {
+  local missing=() package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  local root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "run as root: apt-get install ${missing[*]}" >&2; return 1; }
+    root=(sudo)
+  fi
+  echo "== installing ${missing[*]}"
+  "${root[@]}" apt-get -q update
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends "${missing[@]}"
+}
+
+build_packages=(g++ cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev libnanoflann-dev libcli11-dev
+                nlohmann-json3-dev meshlab qtbase5-dev libqt5opengl5-dev libglew-dev)
+screen_packages=(xvfb xauth)
+picture_packages=(xdotool imagemagick)
+test_packages=(libgtest-dev librapidcheck-dev)
+
+# build PRESET: fetches MeshLab's source if need be, configures, builds everything in build/PRESET.
+build() {
+  local source options=()
+  source=$(scripts/get_meshlab_source)
+  echo "== MeshLab's source is in $source"
+  case $1 in dev | release) options=(-DGA_SYMMETRY_PLUGIN=ON) ;; esac
+  echo "== building in build/$1"
+  cmake --preset "$1" --log-level=WARNING "${options[@]}"
+  cmake --build "build/$1"
+}
