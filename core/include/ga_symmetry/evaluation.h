@@ -1,0 +1,44 @@
+// How good a partner map is, where the truth is known.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ga_symmetry/triangle_mesh.h"
+
+namespace ga_symmetry {
+
+/// Lines {v, w}: the true partner of vertex v is vertex w. A vertex may be missing or listed more than once.
+using Truth = std::vector<std::array<int, 2>>;
+
+/// Lengths are over sqrt(area). The error of a truth line {v, w} is the geodesic distance from v's partner to w; it is
+/// 1 where v has no partner or the partner cannot be reached.
+struct Evaluation {
+  double mean = 1;        ///< mean error
+  double corr = 0;        ///< share of lines with an error below correspondence_radius
+  double coverage = 0;    ///< share of vertices with a partner
+  double involution = 0;  ///< share of vertices whose partner's partner is nearer than correspondence_radius
+  std::size_t lines = 0;  ///< truth lines measured
+};
+
+/// sqrt(1 / (20 pi)). Source: Kim, Lipman, Chen, Funkhouser, Moebius transformations for global intrinsic symmetry
+/// analysis, 2010.
+extern const double correspondence_radius;
+
+/// Measures about 1000 truth lines and 200 vertices, evenly spread.
+/// @param partner  per vertex: its partner, -1 = none
+/// @param threads  0 = all cores; never changes the figures
+/// @throws InvalidMesh    as make_surface with the largest component; vertices outside of it cannot be reached
+/// @throws InvalidOption  if the truth is empty, or it or a partner is out of range
+Evaluation evaluate_partners(const TriangleMesh& mesh, const Truth& truth, const std::vector<int>& partner,
+                             int threads = 0);
+
+/// Reads lines `v w`, 0-based. @throws FileError
+Truth read_truth(const std::string& path);
+
+/// Reads the partners from a CSV whose header names at least `vertex` and `partner`; every vertex in [0, vertices)
+/// once, in any order. @throws FileError
+std::vector<int> read_partners(const std::string& path, int vertices);
+
+}  // namespace ga_symmetry

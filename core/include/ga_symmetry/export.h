@@ -1,0 +1,24 @@
+// What the writers share with others that show or read back a result.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ga_symmetry/result.h"
+#include "ga_symmetry/triangle_mesh.h"
+
+namespace ga_symmetry {
+
+/// Fitness at the red end of the colour ramp, whose blue end is 0: the 95th percentile over the vertices with a
+/// partner, so that a few bad vertices do not turn all others blue. 0 if there are none.
+double ramp_top(const Result& result);
+
+/// Tells meshes apart, so that a result is not applied to another mesh: FNV-1a 64 over the number of vertices and
+/// triangles (64 bits each), the positions (float32 each) and the triangles (32 bits each), all little-endian.
+std::uint64_t mesh_checksum(const TriangleMesh& mesh);
+
+/// write_result for several files: all of them are written under other names before the first one appears.
+/// @throws InvalidOption, FileError  as write_result; then none was changed, unless the very renaming failed
+void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result);
+
+}  // namespace ga_symmetry

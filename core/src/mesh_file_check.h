@@ -1,0 +1,18 @@
+// Checks of mesh files before vcglib's importers see them; private to the core.
+//
+// The importers trust their input: a file cut short makes the OFF importer read past the end of its tokens, a polygon
+// may index outside the vertices, an ASCII STL without a line end is an endless loop, and a count in a header is
+// allocated as it stands. The checks walk a file as its importer will, and refuse what it would not survive.
+#pragma once
+#include <string_view>
+
+namespace ga_symmetry {
+
+/// @param text  the whole file
+/// @throws FileError  what is wrong and where, without the file's name
+void check_off(std::string_view text);
+void check_ply(std::string_view text);
+/// @return  the number of triangles that the importer must find
+long check_stl(std::string_view text);
+
+}  // namespace ga_symmetry

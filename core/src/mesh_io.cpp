@@ -1,0 +1,165 @@
+#include <vcg/complex/algorithms/clean.h>
+#include <vcg/complex/algorithms/update/flag.h>
+#include <vcg/complex/complex.h>
+#include <wrap/io_trimesh/import_off.h>
+#include <wrap/io_trimesh/import_ply.h>
+#include <wrap/io_trimesh/import_stl.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/triangle_mesh.h"
+#include "mesh_file_check.h"
+#include "text_scan.h"
+
+namespace ga_symmetry {
+namespace {
+
+class FileVertex;
+class FileEdge;
+class FileFace;
+struct FileTypes : vcg::UsedTypes<vcg::Use<FileVertex>::AsVertexType, vcg::Use<FileEdge>::AsEdgeType,
+                                  vcg::Use<FileFace>::AsFaceType> {};
+class FileVertex : public vcg::Vertex<FileTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::BitFlags> {};
+class FileEdge : public vcg::Edge<FileTypes, vcg::edge::VertexRef> {};
+class FileFace : public vcg::Face<FileTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class FileMesh : public vcg::tri::TriMesh<std::vector<FileVertex>, std::vector<FileEdge>, std::vector<FileFace>> {};
+
+std::string read_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw FileError("there is no such file");
+  if (!fs::is_regular_file(status)) throw FileError("it is not a file");
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) throw FileError(error.message());
+  if (size == 0) throw FileError("the file is empty");
+  if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))  // vcglib counts bytes in int
+    throw FileError("the file is larger than 2 GB");
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
+    throw FileError(errno ? std::strerror(errno) : "it cannot be read");
+  return text;
+}
+
+template <class Importer>
+void import(FileMesh& mesh, const std::string& path) {
+  int mask = 0;
+  if (const int error = Importer::Open(mesh, path.c_str(), mask)) throw FileError(Importer::ErrorMsg(error));
+}
+
+// A file may carry the flags of the program that wrote it; "deleted" and the like mean nothing here.
+TriangleMesh without_flags(FileMesh& mesh) {
+  vcg::tri::UpdateFlags<FileMesh>::VertexClear(mesh);
+  vcg::tri::UpdateFlags<FileMesh>::FaceClear(mesh);
+  return to_triangle_mesh(mesh);
+}
+
+TriangleMesh read_off(const std::string& path, std::string_view text) {
+  check_off(text);
+  FileMesh mesh;
+  import <vcg::tri::io::ImporterOFF<FileMesh>>(mesh, path);
+  return without_flags(mesh);
+}
+
+TriangleMesh read_ply(const std::string& path, std::string_view text) {
+  check_ply(text);
+  FileMesh mesh;
+  import <vcg::tri::io::ImporterPLY<FileMesh>>(mesh, path);
+  return without_flags(mesh);
+}
+
+TriangleMesh read_stl(const std::string& path, std::string_view text) {
+  const long facets = check_stl(text);
+  FileMesh mesh;
+  import <vcg::tri::io::ImporterSTL<FileMesh>>(mesh, path);
+  if (mesh.fn != facets) throw FileError("only " + std::to_string(mesh.fn) + " of its triangles are well formed");
+  for (const FileVertex& v : mesh.vert)
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(v.cP()[k])) throw FileError("it has a coordinate that is not finite");  // cannot be merged
+  vcg::tri::Clean<FileMesh>::RemoveDuplicateVertex(mesh);
+  vcg::tri::Allocator<FileMesh>::CompactEveryVector(mesh);
+  return to_triangle_mesh(mesh);
+}
+
+// The vcglib of MeshLab 2020.09 leaves out every face at the first vertex: it checks the same index twice, and takes
+// its own 0 for an error. Hence this reader of what a triangle mesh needs: v and f, negative indices, a \ at a line's
+// end. Polygons become fans, as in vcglib's importers.
+TriangleMesh read_obj(std::string_view text) {
+  TriangleMesh mesh;
+  LineReader lines(text);
+  std::string line;
+  const auto next_line = [&] {
+    std::string_view part;
+    if (!lines.next(part)) return false;
+    line = part;
+    for (std::size_t end; (end = line.find_last_not_of(" \t\r")) != line.npos && line[end] == '\\' && lines.next(part);)
+      line.replace(end, line.npos, " ").append(part);
+    return true;
+  };
+  const auto refuse = [&](const std::string& why) {
+    throw FileError("line " + std::to_string(lines.number()) + ": " + why);
+  };
+  std::vector<int> face;
+  while (next_line()) {
+    const std::vector<std::string_view> words = split(std::string_view(line).substr(0, line.find('#')));
+    if (words.empty() || (words[0] != "v" && words[0] != "f")) continue;
+    if (words[0] == "v") {
+      if (words.size() < 4) refuse("a vertex needs three coordinates");
+      for (int k = 1; k <= 3; ++k) {
+        const auto x = parse_number<double>(words[k]);
+        if (!x) refuse("\"" + std::string(words[k]) + "\" is not a coordinate");
+        mesh.position.push_back(*x);
+      }
+      continue;
+    }
+    if (words.size() < 4) refuse("a face needs at least 3 vertices");
+    face.clear();
+    for (std::size_t k = 1; k < words.size(); ++k) {
+      const auto index = parse_number<int>(words[k].substr(0, words[k].find('/')));
+      const int vertices = mesh.vertices();
+      if (!index || *index == 0 || *index > vertices || *index < -vertices)
+        refuse("\"" + std::string(words[k]) + "\" is not one of the " + std::to_string(vertices) + " vertices so far");
+      face.push_back(*index > 0 ? *index - 1 : vertices + *index);
+    }
+    for (std::size_t k = 2; k < face.size(); ++k)
+      mesh.triangle.insert(mesh.triangle.end(), {face[0], face[k - 1], face[k]});
+  }
+  if (mesh.position.empty()) throw FileError("it has no vertices");
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::string& path) {
+  try {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending != ".ply" && ending != ".off" && ending != ".obj" && ending != ".stl")
+      throw FileError("its name must end in .ply, .off, .obj or .stl");
+    const std::string text = read_file(path);
+    if (ending == ".ply") return read_ply(path, text);
+    if (ending == ".off") return read_off(path, text);
+    if (ending == ".stl") return read_stl(path, text);
+    return read_obj(text);
+  } catch (const std::bad_alloc&) {
+    throw FileError("cannot read " + path + ": it does not fit into memory");
+  } catch (const std::exception& e) {
+    throw FileError("cannot read " + path + ": " + e.what());
+  }
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ga_symmetry/geodesics.h"
+#include "ga_symmetry/parallel.h"
+#include "ga_symmetry/sampling.h"
+#include "ga_symmetry/surface.h"
+#include "ga_symmetry/symmetry.h"
+#include "text_scan.h"
+
+namespace ga_symmetry {
+namespace {
+
+int parse_vertex(std::string_view word, const std::string& text) {
+  const std::vector<std::string_view> trimmed = split(word);
+  const auto value = trimmed.size() == 1 ? parse_number<int>(trimmed[0]) : std::nullopt;
+  if (!value || *value < 0)
+    throw InvalidOption("references must be vertex indices such as 12,40,7,9 or 12,40,7:9, got \"" + text + "\"");
+  return *value;
+}
+
+void check_repeats(const References& references) {
+  const auto refuse = [](int v, const char* why) {
+    throw InvalidOption("references name vertex " + std::to_string(v) + why);
+  };
+  const auto& axis = references.axis;
+  const auto& pairs = references.pairs;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    if (std::find(axis.begin() + static_cast<std::ptrdiff_t>(i) + 1, axis.end(), axis[i]) != axis.end())
+      refuse(axis[i], " twice on the axis: give each vertex once");
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (int v : pairs[i])
+      if (std::find(axis.begin(), axis.end(), v) != axis.end())
+        refuse(v, " on the axis and in a pair: a vertex on the axis is its own partner");
+    if (pairs[i][0] == pairs[i][1]) refuse(pairs[i][0], " as its own partner: give it as an axis vertex");
+    for (std::size_t j = 0; j < i; ++j)
+      for (int side : {0, 1})
+        if (pairs[i][side] == pairs[j][side])
+          refuse(pairs[i][side], side == 0 ? " as the left one of two pairs" : " as the right one of two pairs");
+  }
+}
+
+// One way to tell the roles of four vertices, by their number in the selection.
+struct Reading {
+  int a, b, c, d;  // axis a, b; pair c, d
+};
+constexpr Reading kReadings[] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
+
+// Vertices that stand for the surface in the residual; more do not change it by more than a few percent.
+constexpr int kProbes = 500;
+// Residuals below this, over sqrt(area), are the noise of the mesh and of its distances.
+constexpr double kNoise = 0.005;
+// Over 22 posed animals and people, the second best reading is at least 1.8 times worse than the right one, which is
+// the best one on all of them; where the shape allows both, the ratio is 1 but for noise.
+constexpr double kClear = 1.25;
+
+// Distance between the distributions of two distance fields over the area (Wasserstein 1), unit of the surface.
+double distribution_distance(const Surface& surface, const DistanceFields& fields, int i, int j) {
+  std::vector<std::pair<float, double>> steps;
+  steps.reserve(2 * static_cast<std::size_t>(surface.vertices()));
+  for (int v = 0; v < surface.vertices(); ++v) {
+    steps.push_back({fields(i, v), surface.vertex_area[v] / surface.area});
+    steps.push_back({fields(j, v), -surface.vertex_area[v] / surface.area});
+  }
+  std::sort(steps.begin(), steps.end());
+  double sum = 0, difference = 0;
+  for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
+    difference += steps[k].second;
+    sum += std::abs(difference) * (steps[k + 1].first - steps[k].first);
+  }
+  return sum;
+}
+
+// How far the four distances of all surface points are from being kept when c and d change places: if the symmetry
+// exists, some vertex has the distances (a,b,d,c) wherever another has (a,b,c,d). The root mean square of what the best
+// vertex misses, over the probes. The four vertices' mutual distances, d(a,c) = d(a,d) and d(b,c) = d(b,d), are part of
+// it; alone they are ambiguous wherever the four lie like a square.
+double exchange_residual(const DistanceFields& fields, const std::vector<int>& probes, const Reading& reading) {
+  std::vector<float> nearest(probes.size());
+  const float* from[4] = {fields.row(reading.a).data(), fields.row(reading.b).data(), fields.row(reading.c).data(),
+                          fields.row(reading.d).data()};
+  parallel_for(static_cast<int>(probes.size()), 0, [&](int i, int) {
+    const float a = from[0][probes[i]], b = from[1][probes[i]], c = from[2][probes[i]], d = from[3][probes[i]];
+    float best = std::numeric_limits<float>::infinity();
+    for (Eigen::Index v = 0; v < fields.cols(); ++v) {
+      const float da = from[0][v] - a, db = from[1][v] - b, dc = from[2][v] - d, dd = from[3][v] - c;
+      best = std::min(best, da * da + db * db + dc * dc + dd * dd);
+    }
+    nearest[i] = best;
+  });
+  double sum = 0;
+  for (float squared : nearest) sum += squared;
+  return std::sqrt(sum / static_cast<double>(nearest.size()));
+}
+
+}  // namespace
+
+References parse_references(const std::string& text) {
+  References references;
+  if (split(text).empty()) return references;
+  const bool colons = text.find(':') != text.npos;
+  std::vector<int> plain;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view item = rest.substr(0, comma);
+    const std::size_t colon = item.find(':');
+    if (colon == item.npos)
+      plain.push_back(parse_vertex(item, text));
+    else
+      references.pairs.push_back(
+          {parse_vertex(item.substr(0, colon), text), parse_vertex(item.substr(colon + 1), text)});
+    if (comma == rest.npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (!colons && plain.size() > 2) {
+    if (plain.size() % 2)
+      throw InvalidOption("references without a colon are two axis vertices and then pairs, an even number; got " +
+                          std::to_string(plain.size()));
+    for (std::size_t i = 2; i < plain.size(); i += 2) references.pairs.push_back({plain[i], plain[i + 1]});
+    plain.resize(2);
+  }
+  references.axis = plain;
+  check_repeats(references);
+  return references;
+}
+
+References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected) {
+  std::array<int, 4> vertex = selected;
+  std::sort(vertex.begin(), vertex.end());
+  for (int i = 0; i < 4; ++i) {
+    if (vertex[i] < 0 || vertex[i] >= mesh.vertices())
+      throw InvalidOption("selected vertex " + std::to_string(vertex[i]) + " is not one of the " +
+                          std::to_string(mesh.vertices()) + " vertices");
+    if (i > 0 && vertex[i] == vertex[i - 1])
+      throw InvalidOption("vertex " + std::to_string(vertex[i]) + " is selected twice: select four different ones");
+  }
+  const Surface surface = make_surface(mesh, true);
+  std::vector<int> source;
+  for (int v : vertex) {
+    const auto at = std::lower_bound(surface.mesh_vertex.begin(), surface.mesh_vertex.end(), v);
+    if (at == surface.mesh_vertex.end() || *at != v)
+      throw InvalidOption("selected vertex " + std::to_string(v) + " is not on the largest component of the surface");
+    source.push_back(static_cast<int>(at - surface.mesh_vertex.begin()));
+  }
+  const DistanceFields fields = GeodesicSolver(surface).fields(source, 0);
+  Random random(1);
+  const std::vector<int> probes = uniform_sample_vertices(surface, std::min(kProbes, surface.vertices()), random);
+
+  std::vector<std::pair<double, const Reading*>> ranking;
+  for (const Reading& r : kReadings)
+    ranking.push_back(
+        {(exchange_residual(fields, probes, r) + distribution_distance(surface, fields, r.c, r.d)) / surface.unit(),
+         &r});
+  std::sort(ranking.begin(), ranking.end());
+  const auto axis = [&](const Reading& r) { return std::to_string(vertex[r.a]) + "," + std::to_string(vertex[r.b]); };
+  const auto pair = [&](const Reading& r) { return std::to_string(vertex[r.c]) + "," + std::to_string(vertex[r.d]); };
+  const Reading &best = *ranking[0].second, &second = *ranking[1].second;
+  if (ranking[1].first + kNoise < kClear * (ranking[0].first + kNoise)) {
+    char residuals[64];
+    std::snprintf(residuals, sizeof residuals, " (residuals %.3f and %.3f)", ranking[0].first, ranking[1].first);
+    throw InvalidOption("the selection can be read with " + axis(best) + " or " + axis(second) + " on the axis" +
+                        residuals + ": select other vertices, or give the references as " + axis(best) + "," +
+                        pair(best) + " or " + axis(second) + "," + pair(second));
+  }
+  return {{vertex[best.a], vertex[best.b]}, {{vertex[best.c], vertex[best.d]}}};
+}
+
+}  // namespace ga_symmetry

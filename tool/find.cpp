@@ -1,0 +1,178 @@
+// ga_symmetry find: a mesh in, its partners out.
+#include <unistd.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "ga_symmetry/export.h"
+#include "ga_symmetry/symmetry.h"
+
+namespace ga_symmetry::tool {
+namespace {
+
+struct Arguments {
+  std::string mesh, references;
+  std::vector<std::string> outputs;
+  bool quiet = false;
+  Options options;
+};
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  ga_symmetry find body.ply -o body.csv                     search without references\n"
+    "  ga_symmetry find body.ply --refs 12,40,7,9 -o body.csv    12 and 40 on the axis, 7 and 9 a pair\n"
+    "  ga_symmetry find body.ply --refs 12,40,7:9,3:5 -o body.csv -o body.ply\n"
+    "  ga_symmetry find body.ply --refs 12,40,7,9 --method pairs --fitness linear\n"
+    "\n"
+    "Without -o a summary is printed and no file is written.\n"
+    "Exit status: 0 done, 1 could not (no file is written), 2 wrong usage, 130 interrupted.";
+
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool shown) : shown_(shown) {}
+  ~ProgressBar() { clear(); }
+  void show(double fraction, const char* stage) {
+    const int percent = static_cast<int>(100 * fraction);
+    if (!shown_ || (percent == percent_ && stage == stage_)) return;
+    percent_ = percent, stage_ = stage;
+    constexpr int kWidth = 30;
+    std::string bar(static_cast<std::size_t>(kWidth * fraction), '#');
+    bar.resize(kWidth, '.');
+    std::fprintf(stderr, "\r\033[K[%s] %3d%% %s", bar.c_str(), percent, stage);
+    std::fflush(stderr);
+  }
+  void clear() {
+    if (percent_ >= 0) std::fputs("\r\033[K", stderr);
+    percent_ = -1;
+  }
+
+ private:
+  bool shown_;
+  int percent_ = -1;
+  std::string stage_;
+};
+
+std::string join(const References& references) {
+  std::string out;
+  const auto add = [&](const std::string& item) { out += (out.empty() ? "" : ",") + item; };
+  for (int v : references.axis) add(std::to_string(v));
+  for (const auto& p : references.pairs) add(std::to_string(p[0]) + ":" + std::to_string(p[1]));
+  return out.empty() ? "none" : out;
+}
+
+void print_summary(const Result& r) {
+  std::printf("symmetry      %s of order %d, %zu found, confidence %.2f\n", to_string(r.kind), r.order,
+              r.symmetries.size(), r.confidence);
+  std::printf("references    %s\n", join({r.axis_references, r.pair_references}).c_str());
+  std::printf("pairs         %zu\n", r.pairs.size());
+  std::printf("matched       %d of %zu vertices\n", r.matched, r.partner.size());
+  std::printf("mean fitness  %.6g\n", r.mean_fitness);
+  std::printf("generations   %zu (stopped: %s)\n", r.log.size(), to_string(r.stop));
+  std::printf("seconds      ");
+  double total = 0;
+  for (const StageTime& s : r.seconds) {
+    std::printf(" %s %.2f,", s.stage.c_str(), s.seconds);
+    total += s.seconds;
+  }
+  std::printf(" total %.2f\n", total);
+}
+
+void run(const Arguments& arguments, const Context& interrupt) {
+  Options options = arguments.options;
+  options.references = parse_references(arguments.references);
+  for (const std::string& path : arguments.outputs) check_result_path(path);
+
+  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO));
+  Context context = interrupt;
+  context.progress = [&](double fraction, const char* stage) { bar.show(fraction, stage); };
+  context.report(0, "reading");
+  const TriangleMesh mesh = read_mesh(arguments.mesh);
+  const Result result = find_symmetry(mesh, options, context);
+  context.report(1, "writing");
+  if (!arguments.outputs.empty()) write_results(arguments.outputs, mesh, result);
+  bar.clear();
+  if (!arguments.quiet)
+    for (const std::string& warning : result.warnings)
+      std::fprintf(stderr, "ga_symmetry: warning: %s\n", warning.c_str());
+  if (arguments.outputs.empty()) print_summary(result);
+}
+
+template <class Value>
+void add_choice(CLI::App& app, const std::string& name, Value& value, const std::map<std::string, Value>& choices,
+                const std::string& help) {
+  std::string names, current;
+  for (const auto& [text, choice] : choices) {
+    names += (names.empty() ? "" : "|") + text;
+    if (choice == value) current = text;
+  }
+  app.add_option(name, value, help + " [" + current + "]")
+      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->type_name(names);
+}
+
+}  // namespace
+
+void add_find(CLI::App& app, Run& chosen) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options& options = arguments->options;
+  CLI::App& find = *app.add_subcommand("find", "Find for every vertex its symmetric partner");
+  find.footer(kExamples);
+  find.add_option("MESH", arguments->mesh, "Triangle mesh: .ply, .off, .obj or .stl")->required()->type_name("");
+  find.add_option("-o,--output", arguments->outputs,
+                  "Result, may be given several times: .csv (vertex,partner,fitness,side), .json (everything) or .ply "
+                  "(the coloured mesh)")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  find.add_option("--refs", arguments->references,
+                  "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
+                  "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
+      ->type_name("a0,a1,l,r");
+  add_choice(find, "--symmetry", options.symmetry,
+             {{"reflection", SymmetryKind::reflection}, {"rotation", SymmetryKind::rotation}}, "Kind of symmetry");
+  add_choice(find, "--method", options.method, {{"joint", Method::joint}, {"pairs", Method::pairs}},
+             "Search for all partners together, or the original one pair by pair, which needs --refs");
+  find.add_option("--seed", options.seed, "Of the random numbers; the same seed gives the same bytes")
+      ->capture_default_str();
+  find.add_option("--threads", options.threads, "0 = all cores; never changes the result")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  find.add_flag("--largest-component", options.largest_component,
+                "Work on the largest component instead of refusing a mesh of several");
+  find.add_flag("--quiet", arguments->quiet, "No progress and no warnings");
+
+  PairsOptions& pairs = options.pairs;
+  CLI::App& pairs_group = *find.add_option_group("Method pairs");
+  add_choice(pairs_group, "--fitness", pairs.error, {{"squared", PairError::squared}, {"linear", PairError::linear}},
+             "Relative error of the distances to the axis vertices");
+  pairs_group.add_option("--pairs-samples", pairs.samples, "Samples on both sides together, 20 to 20000")
+      ->capture_default_str();
+  add_choice(pairs_group, "--pairs-sampling", pairs.sampling,
+             {{"even", Sampling::evenly_spaced}, {"uniform", Sampling::uniform}}, "Evenly spaced or uniformly random");
+  pairs_group.add_option("--pairs-individuals", pairs.individuals, "Pairs per reference vertex, 1 to 100")
+      ->capture_default_str();
+  pairs_group.add_option("--pairs-regions", pairs.regions, "Distance regions per axis vertex, 2 to 100")
+      ->capture_default_str();
+  pairs_group.add_option("--pairs-outlier", pairs.outlier_z, "Mutate above this Z-error")->capture_default_str();
+  pairs_group.add_option("--pairs-barrier", pairs.mutation_barrier_z, "Keep below this Z-error")->capture_default_str();
+  pairs_group.add_option("--pairs-mutation", pairs.mutation_probability, "Per pair and generation, 0 to 1")
+      ->capture_default_str();
+  pairs_group.add_option("--pairs-generations", pairs.max_generations, "At most, 1 to 100000")->capture_default_str();
+
+  JointOptions& joint = options.joint;
+  CLI::App& joint_group = *find.add_option_group("Method joint");
+  joint_group.add_option("--joint-samples", joint.samples, "Evenly spaced samples, 20 to 1000")->capture_default_str();
+  joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
+      ->capture_default_str();
+  joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
+  joint_group.add_option("--joint-elite", joint.elite, "Share kept unchanged, 0 to 1")->capture_default_str();
+  joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
+      ->capture_default_str();
+
+  find.callback([arguments, &chosen] { chosen = [arguments](const Context& context) { run(*arguments, context); }; });
+}
+
+}  // namespace ga_symmetry::tool

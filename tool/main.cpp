@@ -1,0 +1,67 @@
+// The command line tool: translates the command line and the errors of the core, nothing else.
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.h"
+#include "ga_symmetry/errors.h"
+
+namespace {
+
+enum ExitStatus { kDone = 0, kCouldNot = 1, kUsage = 2, kInterrupted = 130 };
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+// A second Ctrl-C ends the program at once.
+void interrupt_on_signal() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+int fail(ExitStatus status, const char* why) {
+  std::fprintf(stderr, "ga_symmetry: %s\n", why);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace ga_symmetry;
+  CLI::App app("Intrinsic symmetry of triangle meshes: for every vertex its partner on the other side, in any pose",
+               "ga_symmetry");
+  app.set_version_flag("--version", "ga_symmetry " GA_SYMMETRY_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  ga_symmetry find body.ply -o body.csv\n`ga_symmetry find --help` lists all options.");
+  tool::Run run;
+  tool::add_find(app, run);
+  tool::add_score(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  }
+
+  interrupt_on_signal();
+  Context context;
+  context.cancel = &interrupted;
+  try {
+    run(context);
+  } catch (const Cancelled&) {
+    return fail(kInterrupted, "interrupted, nothing was written");
+  } catch (const InvalidOption& error) {
+    return fail(kUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kCouldNot, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(kCouldNot, error.what());
+  }
+  return kDone;
+}
