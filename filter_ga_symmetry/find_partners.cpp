@@ -1,10 +1,8 @@
 #include "find_partners.h"
 
-#include <vcg/complex/algorithms/update/color.h>
-
-#include <algorithm>
 #include <cstdio>
 
+#include "ga_symmetry/export.h"
 #include "ga_symmetry/symmetry.h"
 
 namespace ga_symmetry {
@@ -180,10 +178,13 @@ FilterOutputs apply(const FilterRun& run) {
   set_attribute(m, "symmetry_fitness", result.fitness);
   set_attribute(m, "symmetry_side", result.side);
   model->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-  for (std::size_t i = 0; i < m.vert.size(); ++i) m.vert[i].Q() = static_cast<Scalarm>(result.fitness[i]);
-  const auto worst = std::max_element(result.fitness.begin(), result.fitness.end());
-  // From the worst to 0: the ramp's first colour is red.
-  vcg::tri::UpdateColor<CMeshO>::PerVertexQualityRamp(m, static_cast<Scalarm>(*worst), 0);
+  const auto top = static_cast<float>(ramp_top(result));
+  for (std::size_t i = 0; i < m.vert.size(); ++i) {
+    m.vert[i].Q() = static_cast<Scalarm>(result.fitness[i]);
+    m.vert[i].C() = vcg::Color4b::Blue;
+    // From the top to 0: the ramp's first colour is red.
+    if (top > 0) m.vert[i].C().SetColorRamp(top, 0.0f, static_cast<float>(result.fitness[i]));
+  }
 
   log_summary(result, run);
   return {{"matched", result.matched},
