@@ -10,7 +10,8 @@ namespace {
 
 using Allocator = vcg::tri::Allocator<CMeshO>;
 
-// Short lines: the dialog of 2020.09 cuts its last row off where this text is wrapped.
+// Short lines: the dialog of 2020.09 cuts its last row off where this text is wrapped, and its help after two lines of
+// some 42 letters.
 constexpr const char* info =
     "Finds every vertex's partner on the other side, in any pose.<br>"
     "<b>First select four vertices:</b> two on the symmetry axis<br>"
@@ -27,24 +28,20 @@ RichParameterList parameters() {
   const JointOptions& joint = defaults.joint;
   RichParameterList list;
   list.addParam(RichString("references", "", "References",
-                           "Known vertices, by index, instead of the selection: a0,a1,l,r are two points on the "
-                           "symmetry axis and a left-right pair. 3,8,12:57,90:4 are two axis points and two pairs. "
-                           "Empty = the four selected vertices."));
+                           "a0,a1,l,r: axis points and a left-right pair. Or 3,8,12:57,90:4. Empty = selection."));
   list.addParam(RichBool("automatic", false, "Without references: search for the symmetry",
-                         "With nothing selected and no references given, find the symmetry from the shape alone."));
+                         "If nothing is selected, find the symmetry from the shape alone."));
   list.addParam(RichEnum("symmetry", static_cast<int>(defaults.symmetry), {"Reflection", "Rotation"}, "Symmetry",
                          "Reflection swaps left and right; Rotation takes every vertex to the next one around."));
   list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
-                             "A file that gets the partners too: .csv (vertex,partner,fitness,side), .json "
-                             "(everything) or .ply (the coloured mesh with its attributes). Empty = none."));
+                             "Also write the partners: .csv, .json (everything) or .ply (coloured mesh)."));
   list.addParam(RichBool("largest_component", defaults.largest_component, "Only the largest component",
-                         "Work on the component of the largest area, instead of refusing a mesh of several."));
+                         "Instead of refusing a mesh of several components."));
   list.addParam(RichEnum("method", static_cast<int>(defaults.method), {"Joint", "Pairs"}, "Method",
-                         "Joint searches for all partners at once and is the accurate one. Pairs is the original "
-                         "pair-wise genetic algorithm; it needs references."));
+                         "Joint: all partners at once, accurate. Pairs: the original, one by one."));
 
   add_advanced<RichInt>(list, "seed", static_cast<int>(defaults.seed), "Seed",
-                        "Of the random numbers, at least 0: the same seed and mesh give the same result.");
+                        "At least 0. The same seed and mesh give the same result.");
   add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
                         "0 to 256; 0 = all cores. Changes the time, never the result.");
   add_advanced<RichFloat>(list, "mutation_probability", joint.mutation_probability, "Mutation probability",
@@ -65,7 +62,7 @@ RichParameterList parameters() {
   add_advanced<RichInt>(list, "pairs_individuals", pairs.individuals, "Pairs: individuals",
                         "Pairs in competition per reference vertex, 1 to 100.");
   add_advanced<RichInt>(list, "pairs_regions", pairs.regions, "Pairs: regions",
-                        "Distance regions per axis point, through which the crossover moves, 2 to 100.");
+                        "Distance regions per axis point, for the crossover, 2 to 100.");
   add_advanced<RichFloat>(list, "pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
                           "A pair whose Z-error is above is mutated.");
   add_advanced<RichFloat>(list, "pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
@@ -113,9 +110,10 @@ References choose_references(const std::string& text, bool automatic, const CMes
   if (selected.size() == 4)
     return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]});
   if (selected.empty() && automatic) return {};
-  throw InvalidOption("select exactly four vertices: two on the symmetry axis and one left-right pair; " +
-                      std::to_string(selected.size()) +
-                      " are selected (or give `references`, or select none and switch `automatic` on)");
+  throw InvalidOption(
+      "select exactly four vertices: two on the symmetry axis and one left-right pair; " +
+      std::to_string(selected.size()) +
+      " are selected (or give references by index, or select none and allow the search without references)");
 }
 
 template <class Value>
@@ -196,10 +194,11 @@ FilterOutputs apply(const FilterRun& run) {
 }  // namespace
 
 Filter find_partners_filter() {
+  // Not of the class VertexColoring too: to a mesh without colours MeshLab adds them for it even when the filter fails.
   return {"Intrinsic Symmetry: Find Partners",
           "compute_intrinsic_symmetry_per_vertex",
           info,
-          GA_SYMMETRY_FILTER_INTERFACE::VertexColoring | GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          GA_SYMMETRY_FILTER_INTERFACE::Quality,
           parameters,
           apply};
 }
