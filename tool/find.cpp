@@ -2,9 +2,9 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.h"
@@ -102,16 +102,19 @@ void run(const Arguments& arguments, const Context& interrupt) {
 }
 
 template <class Value>
-void add_choice(CLI::App& app, const std::string& name, Value& value, const std::map<std::string, Value>& choices,
-                const std::string& help) {
+void add_choice(CLI::App& app, const std::string& name, Value& value,
+                const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
   std::string names, current;
   for (const auto& [text, choice] : choices) {
     names += (names.empty() ? "" : "|") + text;
     if (choice == value) current = text;
   }
-  app.add_option(name, value, help + " [" + current + "]")
-      ->transform(CLI::CheckedTransformer(choices).description(""))
-      ->type_name(names);
+  const auto choose = [=, &value](const std::string& given) {
+    for (const auto& [text, choice] : choices)
+      if (text == given) return static_cast<void>(value = choice);
+    throw CLI::ValidationError(name, "must be " + names + ", got " + given);
+  };
+  app.add_option_function<std::string>(name, choose, help + " [" + current + "]")->type_name(names);
 }
 
 }  // namespace
@@ -137,8 +140,7 @@ void add_find(CLI::App& app, Run& chosen) {
              "Search for all partners together, or the original one pair by pair, which needs --refs");
   find.add_option("--seed", options.seed, "Of the random numbers; the same seed gives the same bytes")
       ->capture_default_str();
-  find.add_option("--threads", options.threads, "0 = all cores; never changes the result")
-      ->check(CLI::Range(0, 256))
+  find.add_option("--threads", options.threads, "0 to 256, 0 = all cores; never changes the result")
       ->capture_default_str();
   find.add_flag("--largest-component", options.largest_component,
                 "Work on the largest component instead of refusing a mesh of several");

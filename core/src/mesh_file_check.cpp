@@ -11,13 +11,20 @@
 #include "text_scan.h"
 
 namespace ga_symmetry {
+
+std::string quoted(std::string_view word) {
+  std::string out(word.substr(0, 40));
+  for (char& c : out)
+    if (c < ' ' || c > '~') c = '?';
+  return "\"" + out + "\"";
+}
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) { throw FileError(why); }
 [[noreturn]] void refuse_line(long line, const std::string& why) {
   refuse("line " + std::to_string(line) + ": " + why);
 }
-std::string quoted(std::string_view word) { return "\"" + std::string(word.substr(0, 40)) + "\""; }
 
 bool is_real(std::string_view word) {
   if (parse_number<double>(word)) return true;
@@ -339,35 +346,6 @@ void check_ply(std::string_view text) {
       }
   }
   if (vertices < 0) refuse("it has no element vertex");
-}
-
-long check_stl(std::string_view text) {
-  constexpr std::uint64_t kBinaryHeader = 84, kBinaryFacet = 50;
-  if (text.size() < kBinaryHeader + kBinaryFacet) refuse("it is too short to hold a triangle");
-  std::uint32_t facets = 0;
-  for (int i = 3; i >= 0; --i) facets = facets << 8 | static_cast<unsigned char>(text[80 + i]);
-  const std::uint64_t binary_size = kBinaryHeader + kBinaryFacet * facets;
-  if (text.size() == binary_size) return facets;
-  // vcglib computes the size in 32 bits, and takes every other file without bytes above 127 for a text.
-  if (text.substr(0, 5) != "solid" || text.size() == static_cast<std::uint32_t>(binary_size))
-    refuse("it is neither a binary STL of the size that it promises nor a text that begins with the word solid");
-  if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 127 || c == 0; }))
-    refuse("it begins like a text but holds bytes that are not ASCII");
-  long begun = 0, ended = 0;
-  bool closed = false;
-  LineReader lines(text);
-  std::string_view line;
-  lines.next(line);
-  while (lines.next(line)) {
-    const std::vector<std::string_view> words = split(line);
-    if (words.empty()) continue;
-    closed = words[0] == "endsolid";
-    begun += words[0] == "facet", ended += words[0] == "endfacet";
-    if (words[0] == "vertex" && !(words.size() == 4 && is_real(words[1]) && is_real(words[2]) && is_real(words[3])))
-      refuse_line(lines.number(), "a vertex needs three coordinates");
-  }
-  if (!closed || begun != ended || begun == 0) refuse("the file ends within a solid: it is cut short or damaged");
-  return begun;
 }
 
 }  // namespace ga_symmetry

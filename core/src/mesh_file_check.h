@@ -1,9 +1,10 @@
 // Checks of mesh files before vcglib's importers see them; private to the core.
 //
-// The importers trust their input: a file cut short makes the OFF importer read past the end of its tokens, a polygon
-// may index outside the vertices, an ASCII STL without a line end is an endless loop, and a count in a header is
-// allocated as it stands. The checks walk a file as its importer will, and refuse what it would not survive.
+// The importers trust their input: a file cut short makes the OFF importer read past the end of its words, a polygon
+// may refer to vertices that do not exist, and a count in a header is allocated as it stands. The checks walk a file as
+// its importer will, and refuse what it would not survive.
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace ga_symmetry {
@@ -12,7 +13,7 @@ namespace ga_symmetry {
 /// @throws FileError  what is wrong and where, without the file's name
 void check_off(std::string_view text);
 void check_ply(std::string_view text);
-/// @return  the number of triangles that the importer must find
-long check_stl(std::string_view text);
+/// A word of a file for a message: short, printable, in quotation marks.
+std::string quoted(std::string_view word);
 
 }  // namespace ga_symmetry

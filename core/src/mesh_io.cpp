@@ -3,17 +3,18 @@
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/import_off.h>
 #include <wrap/io_trimesh/import_ply.h>
-#include <wrap/io_trimesh/import_stl.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,14 +83,66 @@ TriangleMesh read_ply(const std::string& path, std::string_view text) {
   return without_flags(mesh);
 }
 
-TriangleMesh read_stl(const std::string& path, std::string_view text) {
-  const long facets = check_stl(text);
+// Coordinates of the corners of a binary STL's triangles, or nothing if the size is not the one it promises.
+std::vector<float> binary_stl_corners(std::string_view text) {
+  constexpr std::size_t kHeader = 80, kFacet = 50, kNormal = 12, kCorners = 36;
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(text[at + i]);
+    return value;
+  };
+  if (text.size() < kHeader + 4 || (text.size() - kHeader - 4) / kFacet < word(kHeader)) return {};
+  const std::size_t facets = word(kHeader);
+  std::vector<float> corners;
+  corners.reserve(9 * facets);
+  for (std::size_t f = 0; f < facets; ++f)
+    for (std::size_t at = 0; at < kCorners; at += 4) {
+      const std::uint32_t bits = word(kHeader + 4 + kFacet * f + kNormal + at);
+      float x;
+      std::memcpy(&x, &bits, sizeof x);
+      corners.push_back(x);
+    }
+  return corners;
+}
+
+std::vector<float> ascii_stl_corners(std::string_view text) {
+  std::vector<float> corners;
+  std::size_t facets = 0;
+  bool closed = false;
+  LineReader lines(text);
+  std::string_view line;
+  while (lines.next(line)) {
+    const std::vector<std::string_view> words = split(line);
+    if (words.empty()) continue;
+    closed = words[0] == "endsolid";
+    facets += words[0] == "endfacet";
+    if (words[0] != "vertex") continue;
+    for (std::size_t k = 1; k <= 3; ++k) {
+      const auto x = k < words.size() ? parse_number<double>(words[k]) : std::nullopt;
+      if (!x) throw FileError("line " + std::to_string(lines.number()) + ": a vertex needs three coordinates");
+      corners.push_back(static_cast<float>(*x));
+    }
+  }
+  if (!closed) throw FileError("the file ends within a solid: it is cut short or damaged");
+  if (corners.size() != 9 * facets) throw FileError("its facets are not all triangles");
+  return corners;
+}
+
+// vcglib's importer does not end on a text without a line end, and searches the header of a binary file, which need not
+// end in a zero, for words past its end. Its merging of vertices is used.
+TriangleMesh read_stl(std::string_view text) {
+  std::vector<float> corners = binary_stl_corners(text);
+  if (corners.empty() && text.substr(0, 5) == "solid") corners = ascii_stl_corners(text);
+  if (corners.empty()) throw FileError("it holds no triangles, or is not an STL of the size that it promises");
   FileMesh mesh;
-  import <vcg::tri::io::ImporterSTL<FileMesh>>(mesh, path);
-  if (mesh.fn != facets) throw FileError("only " + std::to_string(mesh.fn) + " of its triangles are well formed");
-  for (const FileVertex& v : mesh.vert)
-    for (int k = 0; k < 3; ++k)
-      if (!std::isfinite(v.cP()[k])) throw FileError("it has a coordinate that is not finite");  // cannot be merged
+  vcg::tri::Allocator<FileMesh>::AddVertices(mesh, corners.size() / 3);
+  vcg::tri::Allocator<FileMesh>::AddFaces(mesh, corners.size() / 9);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!std::isfinite(corners[i]))  // and so equal to no other
+      throw FileError("triangle " + std::to_string(i / 9) + " has a coordinate that is not finite");
+    mesh.vert[i / 3].P()[i % 3] = corners[i];
+    mesh.face[i / 9].V(i / 3 % 3) = &mesh.vert[i / 3];
+  }
   vcg::tri::Clean<FileMesh>::RemoveDuplicateVertex(mesh);
   vcg::tri::Allocator<FileMesh>::CompactEveryVector(mesh);
   return to_triangle_mesh(mesh);
@@ -121,7 +174,7 @@ TriangleMesh read_obj(std::string_view text) {
       if (words.size() < 4) refuse("a vertex needs three coordinates");
       for (int k = 1; k <= 3; ++k) {
         const auto x = parse_number<double>(words[k]);
-        if (!x) refuse("\"" + std::string(words[k]) + "\" is not a coordinate");
+        if (!x) refuse(quoted(words[k]) + " is not a coordinate");
         mesh.position.push_back(*x);
       }
       continue;
@@ -132,7 +185,7 @@ TriangleMesh read_obj(std::string_view text) {
       const auto index = parse_number<int>(words[k].substr(0, words[k].find('/')));
       const int vertices = mesh.vertices();
       if (!index || *index == 0 || *index > vertices || *index < -vertices)
-        refuse("\"" + std::string(words[k]) + "\" is not one of the " + std::to_string(vertices) + " vertices so far");
+        refuse(quoted(words[k]) + " is not one of the " + std::to_string(vertices) + " vertices so far");
       face.push_back(*index > 0 ? *index - 1 : vertices + *index);
     }
     for (std::size_t k = 2; k < face.size(); ++k)
@@ -153,7 +206,7 @@ TriangleMesh read_mesh(const std::string& path) {
     const std::string text = read_file(path);
     if (ending == ".ply") return read_ply(path, text);
     if (ending == ".off") return read_off(path, text);
-    if (ending == ".stl") return read_stl(path, text);
+    if (ending == ".stl") return read_stl(text);
     return read_obj(text);
   } catch (const std::bad_alloc&) {
     throw FileError("cannot read " + path + ": it does not fit into memory");

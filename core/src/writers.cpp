@@ -221,8 +221,10 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
   add_attribute(out, info, "symmetry_fitness", result.fitness);
   add_attribute(out, info, "symmetry_side", result.side);
   using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
-  if (const int error = Exporter::Save(out, file.temporary().c_str(), true, info))
-    fail(path, Exporter::ErrorMsg(error));
+  const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
+  for (const std::string& name : info.VertAttrNameVec)  // a mesh does not free its attributes
+    vcg::tri::Allocator<PlyMesh>::DeletePerVertexAttribute(out, name);
+  if (error) fail(path, Exporter::ErrorMsg(error));
   if (!is_whole(file.temporary(), mesh)) fail(path, "it could not be written whole (is the disk full?)");
 }
 
