@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <functional>
+#include <nanoflann.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ga_symmetry/geodesics.h"
-#include "ga_symmetry/parallel.h"
 #include "ga_symmetry/sampling.h"
 #include "ga_symmetry/surface.h"
 #include "ga_symmetry/symmetry.h"
@@ -76,26 +77,26 @@ double distribution_distance(const Surface& surface, const DistanceFields& field
   return sum;
 }
 
+// The four distances of every surface point, as points of a space of their own.
+using Signatures = Eigen::Matrix<float, 4, Eigen::Dynamic>;
+using SignatureTree = nanoflann::KDTreeEigenMatrixAdaptor<Signatures, 4, nanoflann::metric_L2, false>;
+
 // How far the four distances of all surface points are from being kept when c and d change places: if the symmetry
 // exists, some vertex has the distances (a,b,d,c) wherever another has (a,b,c,d). The root mean square of what the best
 // vertex misses, over the probes. The four vertices' mutual distances, d(a,c) = d(a,d) and d(b,c) = d(b,d), are part of
 // it; alone they are ambiguous wherever the four lie like a square.
-double exchange_residual(const DistanceFields& fields, const std::vector<int>& probes, const Reading& reading) {
-  std::vector<float> nearest(probes.size());
-  const float* from[4] = {fields.row(reading.a).data(), fields.row(reading.b).data(), fields.row(reading.c).data(),
-                          fields.row(reading.d).data()};
-  parallel_for(static_cast<int>(probes.size()), 0, [&](int i, int) {
-    const float a = from[0][probes[i]], b = from[1][probes[i]], c = from[2][probes[i]], d = from[3][probes[i]];
-    float best = std::numeric_limits<float>::infinity();
-    for (Eigen::Index v = 0; v < fields.cols(); ++v) {
-      const float da = from[0][v] - a, db = from[1][v] - b, dc = from[2][v] - d, dd = from[3][v] - c;
-      best = std::min(best, da * da + db * db + dc * dc + dd * dd);
-    }
-    nearest[i] = best;
-  });
+double exchange_residual(const Signatures& signatures, const SignatureTree& tree, const std::vector<int>& probes,
+                         const Reading& reading) {
   double sum = 0;
-  for (float squared : nearest) sum += squared;
-  return std::sqrt(sum / static_cast<double>(nearest.size()));
+  for (int probe : probes) {
+    Eigen::Vector4f wanted = signatures.col(probe);
+    std::swap(wanted[reading.c], wanted[reading.d]);
+    Eigen::Index vertex;
+    float squared;
+    tree.query(wanted.data(), 1, &vertex, &squared);
+    sum += squared;
+  }
+  return std::sqrt(sum / static_cast<double>(probes.size()));
 }
 
 }  // namespace
@@ -151,10 +152,13 @@ References references_from_selection(const TriangleMesh& mesh, const std::array<
   Random random(1);
   const std::vector<int> probes = uniform_sample_vertices(surface, std::min(kProbes, surface.vertices()), random);
 
+  const Signatures signatures = fields;
+  const SignatureTree tree(4, std::cref(signatures));
   std::vector<std::pair<double, const Reading*>> ranking;
   for (const Reading& r : kReadings)
     ranking.push_back(
-        {(exchange_residual(fields, probes, r) + distribution_distance(surface, fields, r.c, r.d)) / surface.unit(),
+        {(exchange_residual(signatures, tree, probes, r) + distribution_distance(surface, fields, r.c, r.d)) /
+             surface.unit(),
          &r});
   std::sort(ranking.begin(), ranking.end());
   const auto axis = [&](const Reading& r) { return std::to_string(vertex[r.a]) + "," + std::to_string(vertex[r.b]); };
