@@ -1,0 +1,16 @@
+// Broken symmetry: what real scans lack or have too much. Each takes a closed person and keeps the truth.
+#pragma once
+#include "sample.h"
+
+namespace samples {
+
+/// The left hand cut off at the wrist, the wound closed.
+Sample without_left_hand(Sample sample);
+/// A hump on the left of the back. The hump and its place on the right have no counterpart.
+Sample with_hump(Sample sample);
+/// A hole in the left half of the chest.
+Sample with_hole(Sample sample);
+/// The quarter at the back left not seen by the scanner; open border.
+Sample partial_scan(Sample sample);
+
+}  // namespace samples

@@ -1,0 +1,20 @@
+// What vcglib does for the generator.
+#pragma once
+#include "ga_symmetry/random.h"
+#include "mesh.h"
+
+namespace samples {
+
+/// The same surface in triangles with edges of about `edge`; the border keeps its place.
+Mesh isotropic_remesh(const Mesh& mesh, double edge, int rounds);
+
+/// Flips up to `share` of the edges, drawn at random, where the surface is nearly flat and the new triangles are good.
+void flip_edges(Mesh& mesh, double share, ga_symmetry::Random& random);
+
+/// Faces that cut another face.
+int self_intersections(const Mesh& mesh);
+
+/// For each query the nearest of `points`.
+std::vector<int> nearest(const std::vector<Vec3>& points, const std::vector<Vec3>& queries);
+
+}  // namespace samples

@@ -1,0 +1,29 @@
+// A posed mesh with its truth: mixed up, checked, and written.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ga_symmetry/random.h"
+#include "mesh.h"
+
+namespace samples {
+
+struct Sample {
+  std::string name;
+  Mesh mesh;                              ///< posed
+  std::vector<Vec3> rest;                 ///< where each vertex is at rest
+  std::vector<int> partner;               ///< per vertex; -1: it has no counterpart
+  std::vector<std::vector<int>> mirrors;  ///< further symmetries, same form
+  bool exact = true;                      ///< the truth maps vertices onto vertices, not only near them
+  bool closed = true;
+  int order = 2;  ///< the truth, followed so often, leads back
+};
+
+/// Draws a new order of vertices, of faces, and of the corners of each face.
+void shuffle(Sample& sample, ga_symmetry::Random& random);
+
+/// Checks the promises of the README on the coordinates as written, writes NAME.off, .truth, .refs, and .affected or
+/// .mirrors where they apply, and prints one line of figures.
+void write(Sample sample, const std::string& folder);
+
+}  // namespace samples

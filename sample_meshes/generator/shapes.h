@@ -1,0 +1,37 @@
+// The shapes: what they look like at rest, which symmetries they have, and how they are posed.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "field.h"
+#include "pose.h"
+
+namespace samples {
+
+struct NamedPose {
+  std::string name;
+  Pose joints;
+};
+
+/// A solid with a finite symmetry group and no other symmetry.
+struct Shape {
+  std::string name;
+  Field field;
+  std::vector<Eigen::Matrix3d> group;  ///< all symmetries; group[0] is the identity
+  int generator = 1;                   ///< the element whose partners are the truth: the mirror, or the third of a turn
+  Eigen::Matrix3d lattice;             ///< columns: axes of the fundamental piece, which is where both first two
+                                       ///< coordinates are >= 0 (only the first where `half_space`)
+  bool half_space = true;
+  bool seam_is_mirror = true;    ///< false: the two cut faces of the piece are images of each other
+  int vertices = 4000;           ///< wanted, whole shape
+  std::vector<NamedPose> poses;  ///< the last one is remeshed
+};
+
+Shape person();
+Shape animal();
+/// Three arms on a hub; a third of a turn and three mirrors.
+Shape trefoil();
+/// Three arms on a hub, bent one way and with a thumb each; a third of a turn only.
+Shape pinwheel();
+
+}  // namespace samples
