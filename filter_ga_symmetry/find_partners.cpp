@@ -51,8 +51,6 @@ RichParameterList parameters() {
   add_advanced<RichInt>(list, "joint_population", joint.population, "Joint: population",
                         "Maps in competition, 4 to 10000.");
   add_advanced<RichInt>(list, "joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000.");
-  add_advanced<RichFloat>(list, "joint_elite", joint.elite, "Joint: elite",
-                          "Share of the population that is kept unchanged, 0 to 1.");
   add_advanced<RichEnum>(list, "pairs_error", static_cast<int>(pairs.error), QStringList{"Squared", "Linear"},
                          "Pairs: fitness",
                          "The relative error of the distances to the axis points, squared or absolute.");
@@ -85,7 +83,6 @@ Options to_options(const RichParameterList& list) {
   options.joint.samples = list.getInt("joint_samples");
   options.joint.population = list.getInt("joint_population");
   options.joint.max_generations = list.getInt("joint_generations");
-  options.joint.elite = decimal(list.getFloat("joint_elite"));
   options.joint.mutation_probability = decimal(list.getFloat("mutation_probability"));
 
   options.pairs.error = static_cast<PairError>(list.getEnum("pairs_error"));

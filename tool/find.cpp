@@ -170,7 +170,6 @@ void add_find(CLI::App& app, Run& chosen) {
   joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
       ->capture_default_str();
   joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
-  joint_group.add_option("--joint-elite", joint.elite, "Share kept unchanged, 0 to 1")->capture_default_str();
   joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
       ->capture_default_str();
 

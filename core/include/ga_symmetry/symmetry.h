@@ -47,13 +47,19 @@ struct PairsOptions {
   int max_generations = 300;          ///< [1, 100000]
 };
 
-/// The joint search: one individual is a partner for every sample.
+/// The joint search: one individual is a partner for every sample. Lengths are relative to sqrt(area).
 struct JointOptions {
-  int samples = 100;                  ///< evenly spaced, [20, 1000]
-  int population = 100;               ///< [4, 10000]
-  int max_generations = 60;           ///< [0, 10000]
-  double elite = 0.1;                 ///< share kept unchanged, [0,1]
-  double mutation_probability = 0.01; ///< per gene and generation, [0,1]
+  int samples = 100;                   ///< evenly spaced, [20, 1000]
+  int sites = 300;                     ///< candidates for partners, evenly spaced, [samples, 5000]
+  int population = 80;                 ///< [4, 10000]
+  int max_generations = 40;            ///< [0, 10000]
+  double mutation_probability = 0.01;  ///< per gene and generation, [0,1]
+  double distance_weight = 3;          ///< of the terms of the cost, each >= 0
+  double orientation_weight = 1;
+  double continuity_weight = 0.3;
+  double descriptor_weight = 0.3;
+  double bijectivity_weight = 0.1;
+  double reference_weight = 1;
 };
 
 struct Options {

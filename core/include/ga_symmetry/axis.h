@@ -1,0 +1,28 @@
+// The symmetry's axis: where left becomes right.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "ga_symmetry/dense_map.h"
+#include "ga_symmetry/result.h"
+#include "ga_symmetry/surface.h"
+
+namespace ga_symmetry {
+
+/// How much nearer each vertex is to the left than to the right: over all landmark pairs, the difference of its
+/// distances to the right and the left one; near pairs count more. 0 on the axis of a perfect symmetry.
+/// @param from, to  distance fields of the landmarks, landmarks x vertices
+/// @param left  landmark that is on the left, or -1: the pair that is farthest apart is labelled left to right
+/// @return per vertex, > 0 left
+std::vector<float> left_right_function(const Surface& surface, const Landmarks& landmarks, const DistanceFields& from,
+                                       const DistanceFields& to, int left = -1);
+
+/// +1 where the function is positive, -1 where negative, 0 on the axis: of an edge that crosses it the nearer end.
+std::vector<int> sides(const Surface& surface, const std::vector<float>& function);
+
+/// The function's zero set as polylines on the faces, longest first; a closed one repeats its first point.
+/// @param shortest  polylines of a smaller share of the total length are left out, [0,1]
+std::vector<std::vector<SurfacePoint>> zero_set(const Surface& surface, const std::vector<float>& function,
+                                                double shortest);
+
+}  // namespace ga_symmetry

@@ -1,0 +1,44 @@
+// Everything that the joint search looks up about the sites it may choose from: tables, no geometry in its loops.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "ga_symmetry/context.h"
+#include "ga_symmetry/sampling.h"
+#include "ga_symmetry/surface.h"
+
+namespace ga_symmetry {
+
+using Table = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Evenly spaced sites; the first `samples` of them are the genes' own points, all are candidates for partners.
+/// Lengths are divided by the surface's unit.
+struct Sites {
+  int samples = 0;
+  std::vector<int> vertex;        ///< per site
+  DistanceFields field;           ///< sites x vertices, unit of the surface
+  Table distance;                 ///< sites x sites, symmetric
+  Table cosine, sine;             ///< sites x sites: direction at the row's site towards the column's, in its tangent plane
+  Table descriptor;               ///< sites x features, each scaled to standard deviation 1
+  std::vector<float> centricity;  ///< per site: average geodesic distance to the surface
+  std::vector<int> nearest_sample;          ///< per site
+  std::vector<std::vector<int>> neighbors;  ///< per sample: its nearest samples, nearest first
+  std::vector<int> extremal;      ///< samples where centricity has a local maximum (tips, farthest first), and its minimum
+
+  int count() const { return static_cast<int>(vertex.size()); }
+};
+
+/// @param samples, sites  counts, samples <= sites; fewer where the surface has fewer vertices
+/// @param neighbors  samples that count as near
+/// @throws Cancelled
+/// Directions: gradients of distance fields in the one-ring, flattened to a full angle (Polthier & Schmies 1998).
+/// Extremal points of the average geodesic distance: Kim et al. 2010.
+Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
+                 int threads, const Context& context = {});
+
+/// Directions (unit vectors in each vertex's flattened one-ring) of the shortest ways from vertices to the fields'
+/// sources; (0,0) at a source. @param fields  sources x vertices @return {cosine, sine}, vertices x sources
+std::pair<Table, Table> directions(const Surface& surface, const std::vector<int>& vertices,
+                                   const DistanceFields& fields, int threads);
+
+}  // namespace ga_symmetry

@@ -1,0 +1,359 @@
+#include "ga_symmetry/joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+// Lengths are in units of sqrt(area). Below kNear distances are compared absolutely, above it relatively.
+constexpr float kNear2 = 0.02f;
+constexpr float kCap = 0.25f;        // of one distance's relative squared error: outliers count, but no more
+constexpr float kReturn2 = 0.04f;    // squared distance at which a partner's partner is plainly not oneself
+constexpr int kAngles = 24;          // directions tried per seed
+constexpr int kSeedsPerPair = 4;     // distinct maps kept per seed pair
+constexpr int kSeedSweeps = 5;
+constexpr float kLocal = 0.25f;      // radius in which a child's genes look for better sites
+constexpr double kSame = 0.02;       // maps closer than this are one
+constexpr double kDistinct = 0.1;    // maps farther apart than this are different symmetries
+constexpr double kTrivial = 0.08;    // a map that moves samples by less is the identity
+constexpr std::size_t kSurvivors = 10;
+
+constexpr float kEverywhere = kInfinity;  // best_response among all samples
+
+float squared(float x) { return x * x; }
+
+}  // namespace
+
+std::vector<Anchor> make_anchors(const References& references, SymmetryKind kind) {
+  std::vector<Anchor> anchors;
+  for (int a : references.axis) anchors.push_back({a, a});
+  for (const auto& [l, r] : references.pairs) {
+    anchors.push_back({l, r});
+    if (kind == SymmetryKind::reflection) anchors.push_back({r, l});
+  }
+  return anchors;
+}
+
+JointProblem::JointProblem(const Sites& sites, const Surface& surface, const GeodesicSolver& solver, SymmetryKind kind,
+                           const std::vector<Anchor>& anchors, const JointOptions& options)
+    : sites_(sites), options_(options), kind_(kind), oriented_(surface.orientable) {
+  const int samples = sites.samples, count = sites.count();
+  weight_ = (sites.distance.topLeftCorner(samples, samples).array().square() + kNear2).inverse();
+  unary_ = Table::Zero(samples, count);
+  for (int i = 0; i < samples; ++i)
+    for (int k = 0; k < count; ++k)
+      unary_(i, k) =
+          static_cast<float>(options.descriptor_weight) *
+          (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
+  if (!anchors.empty()) {
+    std::vector<int> sources;
+    for (const Anchor& a : anchors) sources.insert(sources.end(), {a.vertex, a.image});
+    const DistanceFields field = solver.fields(sources, 1);
+    const float unit = static_cast<float>(surface.unit());
+    const float share = static_cast<float>(options.reference_weight) / static_cast<float>(anchors.size());
+    for (std::size_t t = 0; t < anchors.size(); ++t) {
+      for (int i = 0; i < samples; ++i) {
+        const float d = field(2 * t, sites.vertex[i]) / unit;
+        for (int k = 0; k < count; ++k) {
+          const float e = field(2 * t + 1, sites.vertex[k]) / unit - d;
+          unary_(i, k) += share * std::min(1.f, e * e / (d * d + kNear2));
+        }
+      }
+      int sample = 0, image = 0;
+      for (int i = 1; i < samples; ++i)
+        if (field(2 * t, sites.vertex[i]) < field(2 * t, sites.vertex[sample])) sample = i;
+      for (int k = 1; k < count; ++k)
+        if (field(2 * t + 1, sites.vertex[k]) < field(2 * t + 1, sites.vertex[image])) image = k;
+      anchors_.push_back({sample, image});
+    }
+  }
+  near_sites_.resize(count);
+  for (int k = 0; k < count; ++k) {
+    std::vector<int>& near = near_sites_[k];
+    for (int j = 0; j < count; ++j)
+      if (sites.distance(k, j) <= kLocal) near.push_back(j);
+    std::sort(near.begin(), near.end(), [&](int a, int b) {
+      return sites.distance(k, a) != sites.distance(k, b) ? sites.distance(k, a) < sites.distance(k, b) : a < b;
+    });
+  }
+}
+
+float JointProblem::orientation_error(const SampleMap& map, int i, int k) const {
+  // With directions as complex numbers, a reflection makes image * original, a rotation image / original, the same for
+  // all neighbours; the length of their mean says how well that holds.
+  const float sign = kind_ == SymmetryKind::reflection ? 1.f : -1.f;
+  float re = 0, im = 0;
+  for (int j : sites_.neighbors[i]) {
+    const float a = sites_.cosine(k, map[j]), b = sites_.sine(k, map[j]);
+    const float x = sites_.cosine(i, j), y = sign * sites_.sine(i, j);
+    re += a * x - b * y;
+    im += a * y + b * x;
+  }
+  return 1 - std::sqrt(re * re + im * im) / static_cast<float>(sites_.neighbors[i].size());
+}
+
+float JointProblem::continuity_error(const SampleMap& map, int i, int k) const {
+  float sum = 0;
+  for (int j : sites_.neighbors[i]) {
+    const float d = sites_.distance(i, j);
+    sum += std::min(1.f, squared((sites_.distance(k, map[j]) - d) / d));
+  }
+  return sum / static_cast<float>(sites_.neighbors[i].size());
+}
+
+float JointProblem::bijectivity_error(const SampleMap& map, int i, int k) const {
+  if (kind_ != SymmetryKind::reflection) return 0;
+  const int back = sites_.nearest_sample[k];
+  // The sample stands a little off the site; so may its partner.
+  const float off = std::max(0.f, sites_.distance(map[back], i) - sites_.distance(back, k));
+  return std::min(1.f, off * off / kReturn2);
+}
+
+CostTerms JointProblem::terms(const SampleMap& map) const {
+  const int n = sites_.samples;
+  double distance = 0, orientation = 0, continuity = 0, unary = 0, bijectivity = 0;
+  for (int i = 0; i < n; ++i) {
+    const float* row = sites_.distance.row(i).data();
+    const float* image = sites_.distance.row(map[i]).data();
+    const float* weight = weight_.row(i).data();
+    float sum = 0;
+    for (int j = 0; j < n; ++j) sum += std::min(kCap, squared(row[j] - image[map[j]]) * weight[j]);
+    distance += sum;
+    if (oriented_) orientation += orientation_error(map, i, map[i]);
+    continuity += continuity_error(map, i, map[i]);
+    unary += unary_(i, map[i]);
+    bijectivity += bijectivity_error(map, i, map[i]);
+  }
+  return {distance / n / n, orientation / n, continuity / n, unary / n, bijectivity / n};
+}
+
+double JointProblem::total(const CostTerms& t) const {
+  return options_.distance_weight * t.distance + options_.orientation_weight * t.orientation +
+         options_.continuity_weight * t.continuity + t.unary + options_.bijectivity_weight * t.bijectivity;
+}
+
+int JointProblem::best_response(SampleMap& map, float radius) const {
+  const int n = sites_.samples, count = sites_.count();
+  // image(k, j): distance from site k to the partner of sample j, contiguous in j for the inner loop.
+  thread_local std::vector<float> image;
+  image.resize(static_cast<std::size_t>(n) * count);
+  for (int k = 0; k < count; ++k) {
+    const float* row = sites_.distance.row(k).data();
+    float* out = &image[static_cast<std::size_t>(k) * n];
+    for (int j = 0; j < n; ++j) out[j] = row[map[j]];
+  }
+  const float distance_weight = static_cast<float>(2 * options_.distance_weight) / static_cast<float>(n);
+  const float orientation_weight = static_cast<float>(oriented_ ? 2 * options_.orientation_weight : 0);
+  const float continuity_weight = static_cast<float>(2 * options_.continuity_weight);
+  const float bijectivity_weight = static_cast<float>(2 * options_.bijectivity_weight);
+  int changed = 0;
+  for (int i = 0; i < n; ++i) {
+    const float* row = sites_.distance.row(i).data();
+    const float* weight = weight_.row(i).data();
+    float least = kInfinity;
+    int best = map[i];
+    const auto consider = [&](int k) {
+      float sum = 0;
+      const float* to = &image[static_cast<std::size_t>(k) * n];
+      for (int j = 0; j < n; ++j) sum += std::min(kCap, squared(row[j] - to[j]) * weight[j]);
+      float total = distance_weight * sum + unary_(i, k);  // a pair of samples counts twice in the cost: once for each
+      if (total >= least) return;
+      if (orientation_weight > 0) total += orientation_weight * orientation_error(map, i, k);
+      if (total >= least) return;
+      total += continuity_weight * continuity_error(map, i, k) + bijectivity_weight * bijectivity_error(map, i, k);
+      if (total < least) least = total, best = k;
+    };
+    consider(map[i]);
+    if (radius == kEverywhere) {
+      for (int k = 0; k < n; ++k) consider(k);
+    } else {
+      for (int k : near_sites_[map[i]]) {
+        if (sites_.distance(map[i], k) > radius) break;
+        consider(k);
+      }
+    }
+    if (best == map[i]) continue;
+    map[i] = best;
+    ++changed;
+    for (int k = 0; k < count; ++k) image[static_cast<std::size_t>(k) * n + i] = sites_.distance(k, best);
+  }
+  return changed;
+}
+
+SampleMap JointProblem::polar_map(int p, int q, double angle) const {
+  const int n = sites_.samples;
+  const float sign = kind_ == SymmetryKind::reflection ? -1.f : 1.f;
+  const float turn_re = static_cast<float>(std::cos(angle)), turn_im = static_cast<float>(std::sin(angle));
+  SampleMap map(n);
+  for (int j = 0; j < n; ++j) {
+    if (j == p) {
+      map[j] = q;
+      continue;
+    }
+    const float d = sites_.distance(p, j), x = sites_.cosine(p, j), y = sign * sites_.sine(p, j);
+    const float re = turn_re * x - turn_im * y, im = turn_re * y + turn_im * x, scale = 1 / (d * d + kNear2);
+    float least = kInfinity;
+    for (int k = 0; k < n; ++k) {  // coarse: among the samples
+      const float agreement = re * sites_.cosine(q, k) + im * sites_.sine(q, k);
+      const float error = squared(d - sites_.distance(q, k)) * scale + 0.25f * (1 - agreement) + unary_(j, k);
+      if (error < least) least = error, map[j] = k;
+    }
+  }
+  return map;
+}
+
+double JointProblem::difference(const SampleMap& a, const SampleMap& b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::min(1.f, sites_.distance(a[i], b[i]));
+  return sum / static_cast<double>(a.size());
+}
+
+double JointProblem::displacement(const SampleMap& map) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) sum += sites_.distance(static_cast<int>(i), map[i]);
+  return sum / static_cast<double>(map.size());
+}
+
+double JointProblem::evaluate(SampleMap& map, int) const {
+  for (int sweep = 0; sweep < 2; ++sweep)
+    if (!best_response(map, kLocal)) break;
+  if (displacement(map) < kTrivial) return kInfinity;
+  return cost(map);
+}
+
+double JointProblem::best(const Population<SampleMap>& population) const {
+  double least = kInfinity;
+  for (const auto& individual : population) least = std::min(least, individual.cost);
+  return least;
+}
+
+Population<SampleMap> JointProblem::vary(const Population<SampleMap>& population, const std::vector<double>& z_errors,
+                                         Random& random) const {
+  const int n = sites_.samples, count = static_cast<int>(population.size());
+  Population<SampleMap> children;
+  for (int k = 0; k < count; ++k) {
+    SampleMap child = population[k].genome;
+    const SampleMap& mate = population[tournament(z_errors, 2, random)].genome;
+    // A geodesic disc of samples from the mate: limbs are exchanged whole.
+    const int center = static_cast<int>(draw_below(random, n));
+    const float radius = static_cast<float>(0.15 + 0.85 * draw_unit(random));
+    for (int i = 0; i < n; ++i)
+      if (sites_.distance(center, i) <= radius) child[i] = mate[i];
+    for (int i = 0; i < n; ++i)
+      if (draw_unit(random) < options_.mutation_probability)
+        child[i] = static_cast<int>(draw_below(random, sites_.count()));
+    if (child != population[k].genome) children.push_back({std::move(child)});
+  }
+  return children;
+}
+
+Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Population<SampleMap> children) const {
+  // Restricted tournament (Harik 1995): a child competes with the one most like it, so that niches survive.
+  for (auto& child : children) {
+    if (!std::isfinite(child.cost)) continue;
+    std::size_t rival = 0;
+    double nearest = kInfinity;
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+      const double d = difference(parents[i].genome, child.genome);
+      if (d < nearest) nearest = d, rival = i;
+    }
+    if (child.cost < parents[rival].cost) parents[rival] = std::move(child);
+  }
+  return parents;
+}
+
+std::vector<std::array<int, 2>> JointProblem::seeds() const {
+  std::vector<std::array<int, 2>> out;
+  for (const Anchor& a : anchors_) out.push_back({a.vertex, sites_.nearest_sample[a.image]});
+  if (!out.empty()) return out;
+  // A symmetry takes tips to tips of about the same centricity.
+  constexpr float kAlike = 0.15f;
+  const std::vector<int>& tips = sites_.extremal;
+  for (std::size_t a = 0; a < tips.size(); ++a)
+    for (std::size_t b = a; b < tips.size(); ++b) {
+      if (std::abs(sites_.centricity[tips[a]] - sites_.centricity[tips[b]]) > kAlike) continue;
+      out.push_back({tips[a], tips[b]});
+      if (kind_ == SymmetryKind::rotation && a != b) out.push_back({tips[b], tips[a]});
+    }
+  return out;
+}
+
+namespace {
+
+// Coherent maps, improved over all samples; the best few distinct ones of every seed pair.
+Population<SampleMap> seed_population(const JointProblem& problem, int limit, int threads, const Context& context) {
+  const std::vector<std::array<int, 2>> seeds = problem.seeds();
+  std::vector<Population<SampleMap>> slots(seeds.size());
+  parallel_for(static_cast<int>(seeds.size()), threads, [&](int s, int) {
+    if (context.cancelled()) throw Cancelled();
+    Population<SampleMap> tried;
+    for (int a = 0; a < kAngles; ++a) {
+      SampleMap map = problem.polar_map(seeds[s][0], seeds[s][1], 2 * 3.14159265358979323846 * a / kAngles);
+      const double cost = problem.cost(map);
+      tried.push_back({std::move(map), cost, true});
+    }
+    std::stable_sort(tried.begin(), tried.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
+    for (auto& candidate : tried) {
+      const bool known = std::any_of(slots[s].begin(), slots[s].end(), [&](const auto& kept) {
+        return problem.difference(kept.genome, candidate.genome) < 0.15;
+      });
+      if (!known) slots[s].push_back(candidate);
+      if (static_cast<int>(slots[s].size()) >= kSeedsPerPair) break;
+    }
+    for (auto& individual : slots[s]) {
+      for (int sweep = 0; sweep < kSeedSweeps; ++sweep)
+        if (!problem.best_response(individual.genome, kEverywhere)) break;
+      individual.cost = problem.evaluate(individual.genome, 0);
+      individual.evaluated = true;
+    }
+  });
+  Population<SampleMap> all, out;
+  for (auto& slot : slots) std::move(slot.begin(), slot.end(), std::back_inserter(all));
+  std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
+  for (auto& individual : all) {
+    const bool known = std::any_of(out.begin(), out.end(), [&](const auto& kept) {
+      return problem.difference(kept.genome, individual.genome) < kSame;
+    });
+    if (!known) out.push_back(std::move(individual));
+    if (static_cast<int>(out.size()) >= limit) break;
+  }
+  return out;
+}
+
+}  // namespace
+
+JointResult search_joint(const JointProblem& problem, const JointOptions& options, Random& random, int threads,
+                         const Context& context) {
+  Population<SampleMap> population = seed_population(problem, options.population, threads, context);
+  GeneticOptions genetic;
+  genetic.max_generations = options.max_generations;
+  genetic.stall_generations = 10;
+  genetic.success_threshold = 0;
+  genetic.threads = threads;
+  GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context);
+  JointResult result;
+  result.log = std::move(run.log);
+  result.stop = run.stop;
+  const std::vector<double> costs = costs_of(run.population);
+  for (int i : elite(costs, static_cast<int>(costs.size()))) {
+    const SampleMap& map = run.population[i].genome;
+    if (!std::isfinite(costs[i])) break;
+    const bool known = std::any_of(result.maps.begin(), result.maps.end(), [&](const SampleMap& kept) {
+      return problem.difference(kept, map) < kDistinct;
+    });
+    if (known) continue;
+    result.maps.push_back(map);
+    result.costs.push_back(costs[i]);
+    if (result.maps.size() >= kSurvivors) break;
+  }
+  return result;
+}
+
+}  // namespace ga_symmetry

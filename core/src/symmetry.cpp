@@ -1,0 +1,317 @@
+#include "ga_symmetry/symmetry.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "ga_symmetry/axis.h"
+#include "ga_symmetry/dense_map.h"
+#include "ga_symmetry/joint.h"
+#include "ga_symmetry/pairs.h"
+#include "ga_symmetry/sites.h"
+#include "ga_symmetry/surface.h"
+
+namespace ga_symmetry {
+
+const char* to_string(SymmetryKind kind) { return kind == SymmetryKind::reflection ? "reflection" : "rotation"; }
+
+const char* to_string(StopReason reason) {
+  switch (reason) {
+    case StopReason::success_threshold: return "success threshold reached";
+    case StopReason::converged: return "converged";
+    case StopReason::max_generations: return "generation limit reached";
+  }
+  return "";
+}
+
+namespace {
+
+constexpr int kNeighbors = 8;         // samples that count as near for orientation and continuity
+constexpr int kMaxOrder = 12;         // of rotations
+constexpr double kShortestAxis = 0.05;
+
+[[noreturn]] void out_of_range(const char* name, double value, const char* range) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s must be in %s, got %g", name, range, value);
+  throw InvalidOption(text);
+}
+
+void check(const char* name, double value, double low, double high, const char* range) {
+  if (!(value >= low && value <= high)) out_of_range(name, value, range);
+}
+
+void check_options(const Options& o) {
+  check("threads", o.threads, 0, 256, "[0, 256]");
+  if (o.method == Method::pairs) {
+    if (o.symmetry != SymmetryKind::reflection)
+      throw InvalidOption("the method `pairs` finds reflections only: use the method `joint` for rotations");
+    if (o.references.axis.size() != 2 || o.references.pairs.size() != 1)
+      throw InvalidOption("the method `pairs` needs four references, two on the axis and one pair (a0,a1,l,r)");
+    check_pairs_options(o.pairs);
+    return;
+  }
+  const JointOptions& j = o.joint;
+  check("joint samples", j.samples, 20, 1000, "[20, 1000]");
+  check("joint sites", j.sites, j.samples, 5000, "[joint samples, 5000]");
+  check("joint population", j.population, 4, 10000, "[4, 10000]");
+  check("joint generations", j.max_generations, 0, 10000, "[0, 10000]");
+  check("joint mutation probability", j.mutation_probability, 0, 1, "[0, 1]");
+  const std::pair<const char*, double> weights[] = {
+      {"distance weight", j.distance_weight},       {"orientation weight", j.orientation_weight},
+      {"continuity weight", j.continuity_weight},   {"descriptor weight", j.descriptor_weight},
+      {"bijectivity weight", j.bijectivity_weight}, {"reference weight", j.reference_weight}};
+  for (const auto& [name, value] : weights) check(name, value, 0, 1e6, "[0, 1e6]");
+}
+
+// The references as surface vertices. @throws InvalidOption
+References on_surface(const References& references, const Surface& surface) {
+  std::vector<int> index(surface.mesh_vertices, -1);
+  for (int v = 0; v < surface.vertices(); ++v) index[surface.mesh_vertex[v]] = v;
+  std::set<int> used;
+  const auto map = [&](int v) {
+    if (v < 0 || v >= surface.mesh_vertices)
+      throw InvalidOption("reference vertex " + std::to_string(v) + " does not exist: the mesh has vertices 0 to " +
+                          std::to_string(surface.mesh_vertices - 1));
+    if (index[v] < 0)
+      throw InvalidOption("reference vertex " + std::to_string(v) +
+                          " is not on the surface that is worked on: choose a vertex of its faces");
+    if (!used.insert(v).second)
+      throw InvalidOption("reference vertex " + std::to_string(v) + " is given twice: choose different vertices");
+    return index[v];
+  };
+  References out;
+  for (int a : references.axis) out.axis.push_back(map(a));
+  for (const auto& [l, r] : references.pairs) {
+    const int left = map(l);
+    out.pairs.push_back({left, map(r)});
+  }
+  return out;
+}
+
+// Times the stages one after the other.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& out) : out_(out), last_(Clock::now()) {}
+  void stage_done(const char* name) {
+    const auto now = Clock::now();
+    out_.push_back({name, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<StageTime>& out_;
+  Clock::time_point last_;
+};
+
+// How often a map over samples must be applied to come back; 0 if it does not within kMaxOrder.
+int order_of(const Sites& sites, const SampleMap& map) {
+  std::vector<int> at(map.begin(), map.end());
+  for (int order = 1; order <= kMaxOrder; ++order) {
+    double away = 0;
+    for (int i = 0; i < sites.samples; ++i) away += sites.distance(at[i], i);
+    if (away / sites.samples < 0.1) return order;
+    for (int& site : at) site = map[sites.nearest_sample[site]];
+  }
+  return 0;
+}
+
+// Everything below is in surface vertices; finish() turns it into the mesh's own.
+struct Found {
+  std::vector<int> partner, side;
+  std::vector<double> fitness;
+  std::vector<SurfacePoint> point;
+  std::vector<std::vector<SurfacePoint>> axis;
+};
+
+SurfacePoint to_mesh(const Surface& surface, SurfacePoint p) {
+  for (int& v : p.vertex)
+    if (v >= 0) v = surface.mesh_vertex[v];
+  return p;
+}
+
+void finish(const Surface& surface, Found found, Result& result) {
+  const int n = surface.mesh_vertices;
+  result.partner.assign(n, -1);
+  result.side.assign(n, 0);
+  result.partner_point.assign(n, {});
+  double worst = 0, sum = 0;
+  for (int v = 0; v < surface.vertices(); ++v) {
+    if (found.partner[v] < 0) continue;
+    worst = std::max(worst, found.fitness[v]);
+    sum += found.fitness[v];
+    ++result.matched;
+  }
+  result.mean_fitness = result.matched ? sum / result.matched : 0;
+  result.fitness.assign(n, worst);
+  for (int v = 0; v < surface.vertices(); ++v) {
+    const int m = surface.mesh_vertex[v];
+    result.side[m] = found.side[v];
+    if (found.partner[v] < 0) continue;
+    result.partner[m] = surface.mesh_vertex[found.partner[v]];
+    result.fitness[m] = found.fitness[v];
+    result.partner_point[m] = to_mesh(surface, found.point[v]);
+  }
+  for (auto& line : found.axis)
+    for (auto& p : line) p = to_mesh(surface, p);
+  result.axis = std::move(found.axis);
+  for (auto& pair : result.pairs) {
+    pair.vertex = surface.mesh_vertex[pair.vertex];
+    pair.partner = surface.mesh_vertex[pair.partner];
+  }
+}
+
+Found find_by_pairs(const Surface& surface, const GeodesicSolver& solver, const References& references,
+                    const Options& options, Random& random, const Context& context, StageClock& clock,
+                    Result& result) {
+  const std::array<int, 2> axis{references.axis[0], references.axis[1]};
+  PairsResult pairs =
+      search_pairs(surface, solver, axis, references.pairs[0], options.pairs, random, options.threads, context);
+  clock.stage_done("search");
+  result.log = std::move(pairs.log);
+  result.stop = pairs.stop;
+  result.pairs = std::move(pairs.pairs);
+  Found found;
+  found.partner = std::move(pairs.partner);
+  found.fitness = std::move(pairs.fitness);
+  found.side = std::move(pairs.side);
+  for (int v : found.partner) found.point.push_back({{v, v, v}, {1, 0, 0}});
+  const DistanceFields field =
+      solver.fields({references.pairs[0][0], references.pairs[0][1]}, options.threads, context);
+  std::vector<float> nearer_left(surface.vertices());
+  for (int v = 0; v < surface.vertices(); ++v) nearer_left[v] = field(1, v) - field(0, v);
+  found.axis = zero_set(surface, nearer_left, kShortestAxis);
+  clock.stage_done("axis");
+  result.symmetries.push_back({SymmetryKind::reflection, 2, result.log.empty() ? 0 : result.log.back().best});
+  return found;
+}
+
+// The landmarks of a sample map, then the references, which are exact.
+Landmarks make_landmarks(const Sites& sites, const SampleMap& map, const std::vector<Anchor>& anchors) {
+  Landmarks out;
+  for (int i = 0; i < sites.samples; ++i) {
+    out.from.push_back(sites.vertex[i]);
+    out.to.push_back(sites.vertex[map[i]]);
+  }
+  for (const Anchor& a : anchors) {
+    out.from.push_back(a.vertex);
+    out.to.push_back(a.image);
+  }
+  return out;
+}
+
+DistanceFields landmark_fields(const Sites& sites, const GeodesicSolver& solver, const std::vector<Anchor>& anchors,
+                               int threads) {
+  DistanceFields out(sites.samples + static_cast<int>(anchors.size()), sites.field.cols());
+  out.topRows(sites.samples) = sites.field.topRows(sites.samples);
+  if (anchors.empty()) return out;
+  std::vector<int> sources;
+  for (const Anchor& a : anchors) sources.push_back(a.vertex);
+  out.bottomRows(static_cast<int>(anchors.size())) = solver.fields(sources, threads);
+  return out;
+}
+
+// sqrt of the residual, and how far the partner's partner is off, by the landmarks' distances (a lower bound).
+std::vector<double> vertex_fitness(const Surface& surface, const DenseMap& map, const DistanceFields& from,
+                                   bool involution) {
+  const int n = surface.vertices();
+  std::vector<double> out(n);
+  std::vector<float> off(n, 0.f);
+  if (involution)
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+      const float* field = from.row(i).data();
+      for (int v = 0; v < n; ++v) off[v] = std::max(off[v], std::abs(field[v] - field[map.partner[map.partner[v]]]));
+    }
+  for (int v = 0; v < n; ++v) out[v] = std::sqrt(map.residual[v]) + off[v] / surface.unit();
+  return out;
+}
+
+Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const References& references,
+                   const Options& options, Random& random, const Context& context, StageClock& clock, Result& result) {
+  const bool reflection = options.symmetry == SymmetryKind::reflection;
+  context.report(0.02, "distances");
+  const Sites sites = make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors,
+                                 options.threads, context);
+  clock.stage_done("distances");
+  context.report(0.4, "search");
+  const std::vector<Anchor> anchors = make_anchors(references, options.symmetry);
+  const JointProblem problem(sites, surface, solver, options.symmetry, anchors, options.joint);
+  JointResult search = search_joint(problem, options.joint, random, options.threads, context);
+  clock.stage_done("search");
+  result.log = std::move(search.log);
+  result.stop = search.stop;
+  if (search.maps.empty()) throw InvalidMesh("no symmetry found: the mesh has no distinct features to match");
+
+  // A thin shape is nearly its own mirror image from front to back, and any shape is its own identity: distortion is
+  // evidence only in proportion to how far the map moves the points.
+  std::vector<std::pair<double, int>> ranking;
+  for (std::size_t i = 0; i < search.maps.size(); ++i)
+    ranking.push_back({search.costs[i] / problem.displacement(search.maps[i]), static_cast<int>(i)});
+  std::sort(ranking.begin(), ranking.end());
+  for (const auto& [score, i] : ranking)
+    result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[i]), score});
+  if (ranking.size() > 1) result.confidence = 1 - ranking[0].first / ranking[1].first;
+  const SampleMap& chosen = search.maps[ranking[0].second];
+  result.order = result.symmetries[0].order;
+
+  context.report(0.7, "dense map");
+  const Landmarks landmarks = make_landmarks(sites, chosen, anchors);
+  const DistanceFields from = landmark_fields(sites, solver, anchors, options.threads);
+  DenseOptions dense;
+  dense.both_ways = reflection;
+  DenseMap map = make_dense_map(surface, solver, landmarks, from, static_cast<int>(anchors.size()), dense,
+                                options.threads, context);
+  clock.stage_done("dense map");
+
+  context.report(0.95, "axis");
+  Found found;
+  found.fitness = vertex_fitness(surface, map, from, reflection);
+  if (reflection) {
+    int left = -1;  // the user's own pair says which side is left
+    if (!references.pairs.empty()) left = sites.samples + static_cast<int>(references.axis.size());
+    const std::vector<float> function = left_right_function(surface, map.landmarks, from, map.to_field, left);
+    found.side = sides(surface, function);
+    found.axis = zero_set(surface, function, kShortestAxis);
+  } else {
+    found.side.assign(surface.vertices(), 0);
+  }
+  for (int i = 0; i < sites.samples; ++i) {
+    const int v = map.landmarks.from[i];
+    result.pairs.push_back({v, map.partner[v], found.fitness[v]});
+  }
+  found.partner = std::move(map.partner);
+  found.point = std::move(map.point);
+  clock.stage_done("axis");
+  return found;
+}
+
+}  // namespace
+
+Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Context& context) {
+  check_options(options);
+  context.report(0, "checking the mesh");
+  Result result;
+  StageClock clock(result.seconds);
+  const Surface surface = make_surface(mesh, options.largest_component);
+  const References references = on_surface(options.references, surface);
+  result.kind = options.symmetry;
+  result.seed = options.seed;
+  result.axis_references = options.references.axis;
+  result.pair_references = options.references.pairs;
+  result.warnings = surface.warnings;
+  const GeodesicSolver solver(surface);
+  clock.stage_done("surface");
+  Random random(options.seed);
+  Found found = options.method == Method::pairs
+                    ? find_by_pairs(surface, solver, references, options, random, context, clock, result)
+                    : find_jointly(surface, solver, references, options, random, context, clock, result);
+  finish(surface, std::move(found), result);
+  context.report(1, "done");
+  return result;
+}
+
+}  // namespace ga_symmetry
