@@ -1,6 +1,7 @@
 #include "find_partners.h"
 
 #include <cstdio>
+#include <iterator>
 
 #include "ga_symmetry/export.h"
 #include "ga_symmetry/symmetry.h"
@@ -21,6 +22,26 @@ constexpr const char* info =
 
 // MeshLab's float of a decimal number, as the double of that number: the dialog's 1.96 is the command line's 1.96.
 double decimal(Scalarm value) { return QString::number(value, 'g', 7).toDouble(); }
+
+// The weights of the joint search's cost share one line of the dialog.
+constexpr double JointOptions::*joint_weights[] = {&JointOptions::distance_weight,    &JointOptions::orientation_weight,
+                                                   &JointOptions::continuity_weight,  &JointOptions::descriptor_weight,
+                                                   &JointOptions::bijectivity_weight, &JointOptions::reference_weight};
+
+QString weights_text(const JointOptions& options) {
+  QStringList items;
+  for (const auto weight : joint_weights) items << QString::number(options.*weight);
+  return items.join(",");
+}
+
+void set_weights(const QString& text, JointOptions& options) {
+  const QStringList items = text.split(',');
+  bool good = items.size() == static_cast<int>(std::size(joint_weights));
+  for (int i = 0; good && i < items.size(); ++i) options.*joint_weights[i] = items[i].toDouble(&good);
+  if (!good)
+    throw InvalidOption("the weights must be six numbers such as " + weights_text({}).toStdString() + ", got " +
+                        text.toStdString());
+}
 
 RichParameterList parameters() {
   const Options defaults;
@@ -48,9 +69,13 @@ RichParameterList parameters() {
                           "Per gene (Joint) or pair (Pairs) and generation, 0 to 1.");
   add_advanced<RichInt>(list, "joint_samples", joint.samples, "Joint: samples",
                         "Evenly spaced samples that the search works on, 20 to 1000.");
+  add_advanced<RichInt>(list, "joint_sites", joint.sites, "Joint: sites",
+                        "Evenly spaced candidates for their partners, at least as many, up to 5000.");
   add_advanced<RichInt>(list, "joint_population", joint.population, "Joint: population",
                         "Maps in competition, 4 to 10000.");
   add_advanced<RichInt>(list, "joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000.");
+  add_advanced<RichString>(list, "joint_weights", weights_text(joint), "Joint: weights",
+                           "Distance, orientation, continuity, descriptor, bijectivity, reference.");
   add_advanced<RichEnum>(list, "pairs_error", static_cast<int>(pairs.error), QStringList{"Squared", "Linear"},
                          "Pairs: fitness",
                          "The relative error of the distances to the axis points, squared or absolute.");
@@ -81,8 +106,10 @@ Options to_options(const RichParameterList& list) {
   options.threads = list.getInt("threads");
 
   options.joint.samples = list.getInt("joint_samples");
+  options.joint.sites = list.getInt("joint_sites");
   options.joint.population = list.getInt("joint_population");
   options.joint.max_generations = list.getInt("joint_generations");
+  set_weights(list.getString("joint_weights"), options.joint);
   options.joint.mutation_probability = decimal(list.getFloat("mutation_probability"));
 
   options.pairs.error = static_cast<PairError>(list.getEnum("pairs_error"));

@@ -201,6 +201,11 @@ case $case in
     serve "$sample"
     expect_refusal "samples.*-1"
     ;;
+  weights)
+    script "references=$refs" joint_weights=1,2,3 export_to=partners.csv
+    serve "$sample"
+    expect_refusal "weights must be six numbers.*got 1,2,3"
+    ;;
   unwritable)
     script "references=$refs" export_to=nowhere/partners.csv
     serve "$sample"
