@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "ga_symmetry/errors.h"
@@ -19,6 +20,8 @@ struct BadMesh {
   std::string name, says;
   std::function<TriangleMesh()> make;
 };
+
+void PrintTo(const BadMesh& bad, std::ostream* out) { *out << bad.name; }
 
 class RefusedMesh : public testing::TestWithParam<BadMesh> {};
 

@@ -138,7 +138,8 @@ void add_find(CLI::App& app, Run& chosen) {
              {{"reflection", SymmetryKind::reflection}, {"rotation", SymmetryKind::rotation}}, "Kind of symmetry");
   add_choice(find, "--method", options.method, {{"joint", Method::joint}, {"pairs", Method::pairs}},
              "Search for all partners together, or the original one pair by pair, which needs --refs");
-  find.add_option("--seed", options.seed, "Of the random numbers; the same seed gives the same bytes")
+  find.add_option("--seed", options.seed, "Of the random numbers, at least 0; the same seed gives the same bytes")
+      ->check(CLI::NonNegativeNumber.description(""))
       ->capture_default_str();
   find.add_option("--threads", options.threads, "0 to 256, 0 = all cores; never changes the result")
       ->capture_default_str();
@@ -167,11 +168,23 @@ void add_find(CLI::App& app, Run& chosen) {
   JointOptions& joint = options.joint;
   CLI::App& joint_group = *find.add_option_group("Method joint");
   joint_group.add_option("--joint-samples", joint.samples, "Evenly spaced samples, 20 to 1000")->capture_default_str();
+  joint_group.add_option("--joint-sites", joint.sites, "Candidates for partners, the samples to 5000")
+      ->capture_default_str();
   joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
       ->capture_default_str();
   joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
   joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
       ->capture_default_str();
+  const auto add_weight = [&](const std::string& name, double& weight, const std::string& help) {
+    joint_group.add_option("--joint-" + name + "-weight", weight, help + ", at least 0")->capture_default_str();
+  };
+  add_weight("distance", joint.distance_weight, "Distances between the samples are kept");
+  add_weight("orientation", joint.orientation_weight,
+             "Turning directions are reversed (reflection) or kept (rotation)");
+  add_weight("continuity", joint.continuity_weight, "Neighbours go to neighbours");
+  add_weight("descriptor", joint.descriptor_weight, "Partners look alike");
+  add_weight("bijectivity", joint.bijectivity_weight, "No two samples have one partner");
+  add_weight("reference", joint.reference_weight, "Distances to the references are kept");
 
   find.callback([arguments, &chosen] { chosen = [arguments](const Context& context) { run(*arguments, context); }; });
 }

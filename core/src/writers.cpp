@@ -268,6 +268,7 @@ void check_result_path(const std::string& path) {
   format_of(path);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) fail(path, error.message());
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "there is something that is not a file");
   const fs::path folder = folder_of(fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path));
   if (!fs::is_directory(folder, error)) fail(path, "there is no folder " + folder.string());

@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# tool_test.sh TOOL: the command line tool's exit codes, outputs and messages.
+set -uo pipefail
+tool=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  [[ -s err ]] && sed 's/^/    stderr: /' err
+  failures=$((failures + 1))
+}
+# expect STATUS ARGUMENT...: runs the tool, its output in out and err.
+expect() {
+  local wanted=$1 status
+  shift
+  "$tool" "$@" >out 2>err </dev/null
+  status=$?
+  [[ $status == "$wanted" ]] || fail "ga_symmetry $*: exit $status instead of $wanted"
+}
+says() { grep -q -- "$1" "${2:-err}" || fail "\"$1\" is not in ${2:-err}"; }
+one_line() { [[ $(wc -l <err) == 1 ]] || fail "the message is not one line"; }
+no_file() { for f in "$@"; do [[ ! -e $f ]] || fail "$f was written"; done; }
+
+# body RINGS SEGMENTS [SHIFT]: a sphere with a head, a foot and two arms, mirrored in x, as vertices and faces.
+body() {
+  awk -v n="$1" -v m="$2" -v at="${3:-0}" 'function bump(a, b, c, h) {
+      return h * exp(15 * ((a*x + b*y + c*z) / sqrt(a*a + b*b + c*c) - 1)) }
+    function put(s, t, u, r) { x = s; y = t; z = u
+      r = 1 + bump(0,0,1,1) + bump(0,-.5,-3,2) + bump(2,0,.6,1.1) + bump(-2,0,.6,1.1)
+      printf "v %.9g %.9g %.9g\n", x*r + at, y*r, z*r }
+    BEGIN { pi = atan2(0, -1)
+      for (i = 1; i <= n; ++i) for (j = 0; j < m; ++j) { p = pi*i/(n+1); q = 2*pi*j/m
+        put(sin(p)*cos(q), sin(p)*sin(q), cos(p)) }
+      put(0, 0, 1); put(0, 0, -1)
+      for (j = 0; j < m; ++j) { k = (j+1) % m
+        print "f", n*m, j, k; print "f", n*m+1, (n-1)*m+k, (n-1)*m+j
+        for (i = 0; i < n-1; ++i) { a = i*m+j; b = i*m+k
+          print "f", a, a+m, b+m; print "f", a, b+m, b } } }'
+}
+to_off() {
+  awk '$1 == "v" {v[nv++] = $2 " " $3 " " $4} $1 == "f" {f[nf++] = "3 " $2 " " $3 " " $4}
+    END {print "OFF"; print nv, nf, 0; for (i = 0; i < nv; ++i) print v[i]; for (i = 0; i < nf; ++i) print f[i]}'
+}
+rings=24 segments=32 vertices=$((24 * 32 + 2))
+body $rings $segments | to_off >body.off
+head=$((rings * segments)) foot=$((rings * segments + 1))
+left=$((8 * segments)) right=$((8 * segments + segments / 2))
+refs=$head,$foot,$left,$right
+# Fewer than the defaults: this is a test of the tool, not of the search.
+quick=(--joint-samples 30 --joint-population 10 --joint-generations 3)
+
+expect 0 --help
+says "find" out
+expect 0 find --help
+says "Examples" out
+says "--refs" out
+expect 0 score --help
+expect 0 --version
+grep -Eq '^ga_symmetry [0-9]+\.[0-9]+\.[0-9]+$' out || fail "no version"
+
+expect 2
+expect 2 seek body.off
+expect 2 find
+expect 2 find body.off --no-such-option
+expect 2 find body.off --method slow
+says "joint|pairs"
+expect 2 find body.off --fitness cubic
+expect 2 find body.off --symmetry glide
+expect 2 find body.off --seed -1
+expect 2 find body.off --seed x
+expect 2 find body.off --threads -1
+expect 2 find body.off --threads 1000
+expect 2 find body.off --refs 1,2,3
+one_line
+expect 2 find body.off --refs 1,2,3,x
+expect 2 find body.off --refs "$head,$foot,$left,$vertices" -o a.csv
+one_line
+expect 2 find body.off -o a.txt
+says "must end in .csv, .json or .ply"
+expect 2 find body.off --method pairs -o a.csv
+expect 2 score body.off
+no_file a.csv a.txt
+
+expect 1 find missing.off -o a.csv
+one_line
+says "missing.off"
+printf 'OFF\n4 4 0\n0 0 0\n' >cut.off
+expect 1 find cut.off -o a.csv
+one_line
+says "cut.off"
+: >empty.ply
+expect 1 find empty.ply -o a.csv
+says "empty"
+expect 1 find . -o a.csv
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
+expect 1 find triangle.off -o a.csv
+one_line
+expect 1 find body.off -o good.csv -o missing/a.csv
+one_line
+says "no folder"
+no_file a.csv good.csv
+
+{ body 12 16; body 12 16 10 | awk '$1 == "f" {print "f", $2+194, $3+194, $4+194; next} 1'; } | to_off >two.off
+expect 1 find two.off "${quick[@]}" -o a.csv
+one_line
+says "2 components"
+no_file a.csv
+expect 0 find two.off "${quick[@]}" --largest-component -o two.csv
+says "warning: .*largest"
+[[ $(wc -l <two.csv) == 389 ]] || fail "two.csv has not a row for every vertex"
+expect 0 find two.off "${quick[@]}" --largest-component --quiet -o two.csv
+[[ ! -s err ]] || fail "--quiet is not quiet"
+
+echo old >kept.csv
+expect 1 find two.off -o kept.csv
+[[ $(cat kept.csv) == old ]] || fail "a failed run changed an existing file"
+
+expect 0 find body.off --refs "$refs" "${quick[@]}"
+for word in symmetry references pairs matched "mean fitness" generations seconds; do says "^$word" out; done
+[[ ! -s err ]] || fail "something on stderr that is not a terminal"
+expect 0 find body.off "${quick[@]}"
+says "^symmetry *reflection" out
+
+expect 0 find body.off --refs "$refs" "${quick[@]}" -o a.csv -o a.json -o a.ply
+[[ ! -s out ]] || fail "a summary although files were asked for"
+[[ $(head -n1 a.csv) == vertex,partner,fitness,side ]] || fail "wrong header of the CSV"
+[[ $(wc -l <a.csv) == $((vertices + 1)) ]] || fail "the CSV has not a row for every vertex"
+awk -F, 'NR > 1 && ($1 != NR-2 || $2 < -1 || $3 < 0 || $4 < -1 || $4 > 1 || NF != 4) {exit 1}' a.csv ||
+  fail "a row of the CSV breaks the contract"
+[[ $(head -n1 a.ply) == ply ]] || fail "no PLY"
+expect 0 find a.ply --refs "$refs" "${quick[@]}" -o again.csv
+expect 0 find body.off --refs "$refs" "${quick[@]}" --threads 1 -o b.csv -o b.json -o b.ply
+expect 0 find body.off --refs "$refs" "${quick[@]}" --threads 2 -o c.csv -o c.json -o c.ply
+for ending in csv json ply; do
+  cmp -s a.$ending b.$ending && cmp -s a.$ending c.$ending || fail "the same seed gives other bytes: $ending"
+done
+for fitness in squared linear; do
+  expect 0 find body.off --refs "$refs" --method pairs --fitness $fitness --pairs-samples 100 -o pairs.csv
+done
+
+# The mirror image of ring i, segment j is segment m/2 - j.
+awk -v n=$rings -v m=$segments 'BEGIN {for (i = 0; i < n; ++i) for (j = 0; j < m; ++j)
+  print i*m+j, i*m + (m + m/2 - j) % m; print n*m, n*m; print n*m+1, n*m+1}' >truth
+{ echo vertex,partner; tr ' ' , <truth; } >truth.csv
+expect 0 score body.off truth truth.csv
+says "^mean 0.0000 corr 1.0000 coverage 1.0000 involution 1.0000 lines $vertices\$" out
+expect 0 score body.off truth a.csv
+says "coverage" out
+expect 1 score body.off missing truth.csv
+expect 1 score body.off truth two.csv
+one_line
+
+# An interrupt ends a long run promptly, with nothing written.
+body 200 300 | to_off >large.off
+"$tool" find large.off --joint-population 10000 --joint-generations 10000 -o a2.csv >out 2>err &
+run=$!
+sleep 1
+kill -INT $run
+for ((i = 0; i < 200; ++i)); do
+  kill -0 $run 2>/dev/null || break
+  sleep 0.1
+done
+kill -0 $run 2>/dev/null && fail "not interrupted after 20 seconds" && kill -KILL $run
+wait $run
+status=$?
+[[ $status == 130 ]] || fail "an interrupted run: exit $status instead of 130"
+no_file a2.csv
+
+leftovers=$(find . -name '*.part')
+[[ -z $leftovers ]] || fail "left behind: $leftovers"
+((failures == 0)) && echo "all passed"
+exit $((failures > 0))
