@@ -1,13 +1,14 @@
 #!/bin/bash
 # One case of the plugin in the real meshlabserver, through a filter script.
 #
-#   plugin_test.sh CASE MESHLABSERVER MAKE_FILTER_SCRIPT SAMPLE
+#   plugin_test.sh CASE MESHLABSERVER MAKE_FILTER_SCRIPT TOOL SAMPLE
 #
-# SAMPLE   NAME.off with NAME.refs beside it.
+# TOOL     the command line tool.
+# SAMPLE   NAME.off with NAME.refs and NAME.truth beside it.
 # Exit 0 = passed, 1 = failed, 77 = cannot be run here.
 set -euo pipefail
 
-case=$1 meshlabserver=$2 make_filter_script=$3 sample=$4
+case=$1 meshlabserver=$2 make_filter_script=$3 tool=$4 sample=$5
 command -v xvfb-run >/dev/null || { echo "skipped: xvfb-run is missing (apt-get install xvfb xauth)"; exit 77; }
 [ -x "$meshlabserver" ] || { echo "skipped: meshlabserver is missing (apt-get install meshlab)"; exit 77; }
 [ -f "$sample" ] || { echo "skipped: $sample is missing"; exit 77; }
@@ -95,6 +96,32 @@ case $case in
     table out.ply | sort -g -k"$quality,$quality" | awk -v r="$red" -v b="$blue" '
       NR == 1 { if ($r != 0 || $b != 255) bad = 1 } { last = $b } END { exit bad || last == 255 }' ||
       fail "the colours do not follow the quality"
+    ;;
+  accuracy | automatic)
+    if [ "$case" = accuracy ]; then script --select "$refs" export_to=partners.csv
+    else script automatic=true export_to=partners.csv; fi
+    serve "$sample"
+    expect_success
+    "$tool" score "$sample" "${sample%.off}.truth" partners.csv > score
+    # 0.9 of the vertices near their partner: a front-back swap or a swap of the legs alone would be far below.
+    awk '{ exit !($4 >= 0.9 && $6 == 1) }' score || fail "the partners are wrong: $(cat score)"
+    ;;
+  tool)
+    # Coordinates in single precision, so that MeshLab and the tool read the same numbers.
+    filter "Conditional Vertex Selection" '<Param type="RichString" name="condSelect" value="vi == 0"/>'
+    serve "$sample"
+    expect_success
+    mv out.ply single.ply
+    rm ./*.mlx
+    for method in 0 1; do
+      script "references=$refs" method=$method export_to=partners$method.csv
+      "$tool" find single.ply --refs "$refs" --method $([ $method = 0 ] && echo joint || echo pairs) -o tool$method.csv
+    done
+    serve single.ply
+    expect_success
+    for method in 0 1; do
+      cmp partners$method.csv tool$method.csv || fail "the filter and the tool differ for method $method"
+    done
     ;;
   references)
     script --select "0,1,2" "references=$refs" export_to=partners.csv
