@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,7 @@ Sample remeshed_sample(const Shape& shape, const NamedPose& pose) {
 }
 
 void make(const std::string& folder, int vertices) {
+  if (!std::filesystem::is_directory(folder)) throw std::runtime_error(folder + " is not a folder: make it first");
   for (Shape shape : {person(), animal(), trefoil(), pinwheel()}) {
     if (vertices > 0) shape.vertices = vertices;
     const Symmetric whole = complete(fundamental_piece(shape), shape.group);
