@@ -25,7 +25,9 @@ constexpr Weighting kCoarse{0.02f, 2.f}, kFine{0.005f, 3.f};
 struct Features {
   int dimension = 0;
   std::vector<float> source, target;  // n x dimension: d(v, from) against d(c, to)
-  const float* of(const std::vector<float>& data, int v) const { return &data[static_cast<std::size_t>(v) * dimension]; }
+  const float* of(const std::vector<float>& data, int v) const {
+    return &data[static_cast<std::size_t>(v) * dimension];
+  }
 };
 
 Features make_features(const DistanceFields& from, const DistanceFields& to, float unit, bool both_ways) {
@@ -98,6 +100,21 @@ class Matcher {
   std::vector<float> weight_;
 };
 
+template <class Body>
+void for_each_vertex(const Surface& surface, const Features& features, Weighting weighting, int threads,
+                     const Context& context, const Body& body) {
+  constexpr int kBlock = 256;
+  const int n = surface.vertices();
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+    if (context.cancelled()) throw Cancelled();
+    Matcher matcher(surface, features, weighting);
+    for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+      matcher.look_at(v);
+      body(v, matcher);
+    }
+  });
+}
+
 // The nearest landmarks of each vertex: where its search may start.
 std::vector<std::array<int, 3>> nearest_landmarks(const DistanceFields& fields) {
   const int n = static_cast<int>(fields.cols()), count = static_cast<int>(fields.rows());
@@ -113,52 +130,30 @@ std::vector<std::array<int, 3>> nearest_landmarks(const DistanceFields& fields) 
   return nearest;
 }
 
-// One round of matching: every vertex starts at the partners of its nearest landmarks, then at those of its neighbours.
-void match(const Surface& surface, const Features& features, Weighting weighting, const Landmarks& landmarks,
-           const std::vector<std::array<int, 3>>& nearest, std::vector<int>& partner, std::vector<double>& residual,
-           int threads, const Context& context) {
+// Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
+void match(const Surface& surface, const Features& features, const Landmarks& landmarks,
+           const std::vector<std::array<int, 3>>& nearest, DenseMap& map, int threads, const Context& context) {
   const int n = surface.vertices();
-  constexpr int kBlock = 256;
-  std::vector<float> least(n);
-  const auto for_blocks = [&](const auto& body) {
-    parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
-      if (context.cancelled()) throw Cancelled();
-      Matcher matcher(surface, features, weighting);
-      for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
-        matcher.look_at(v);
-        body(v, matcher);
-      }
-    });
+  map.partner.assign(n, -1);
+  map.residual.assign(n, INFINITY);
+  const auto try_from = [&](Matcher& matcher, int v, int start) {
+    float e;
+    const int c = matcher.descend(start, e);
+    if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
   };
-  const bool first = partner.empty();
-  partner.resize(n, -1);
-  for_blocks([&](int v, Matcher& matcher) {
-    float best = INFINITY;
-    int at = -1;
-    const auto from = [&](int start) {
-      float e;
-      const int c = matcher.descend(start, e);
-      if (e < best) best = e, at = c;
-    };
-    if (!first) from(partner[v]);
+  for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
     for (int i : nearest[v])
-      if (i >= 0) from(landmarks.to[i]);
-    partner[v] = at;
-    least[v] = best;
+      if (i >= 0) try_from(matcher, v, landmarks.to[i]);
   });
   for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<int> before = partner;  // so that the order of vertices and threads does not matter
-    for_blocks([&](int v, Matcher& matcher) {
+    const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
+    for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
       for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
         const int start = before[surface.triangle[next_corner(surface.corner_at[i])]];
-        if (start == partner[v] || matcher.error(start) >= 4 * least[v]) continue;
-        float e;
-        const int c = matcher.descend(start, e);
-        if (e < least[v]) least[v] = e, partner[v] = c;
+        if (start != map.partner[v] && matcher.error(start) < 4 * map.residual[v]) try_from(matcher, v, start);
       }
     });
   }
-  residual.assign(least.begin(), least.end());
 }
 
 // The point on the faces around `c` whose interpolated features match best.
@@ -183,8 +178,7 @@ SurfacePoint on_face(const Surface& surface, const Features& features, const Mat
       if (e < least) least = e, best = {{c, a, b}, {1 - s - t, s, t}};
     };
     const double determinant = aa * bb - ab * ab;
-    if (determinant > 1e-12 * aa * bb)
-      consider((ra * bb - rb * ab) / determinant, (rb * aa - ra * ab) / determinant);
+    if (determinant > 1e-12 * aa * bb) consider((ra * bb - rb * ab) / determinant, (rb * aa - ra * ab) / determinant);
     if (aa > 0) consider(std::clamp(ra / aa, 0.0, 1.0), 0);
     if (bb > 0) consider(0, std::clamp(rb / bb, 0.0, 1.0));
     const double along = aa - 2 * ab + bb;  // on the edge a-b: origin moved to a
@@ -196,37 +190,111 @@ SurfacePoint on_face(const Surface& surface, const Features& features, const Mat
   return best;
 }
 
+// How far the best point may be off, by the residual: Gauss-Newton's estimate of the position's deviation, from the
+// change of the features over the face.
+double position_uncertainty(const Surface& surface, const Features& features, const Matcher& matcher, int c,
+                            double residual) {
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  const float* origin = features.of(features.target, c);
+  const int first = surface.first_corner[c], last = surface.first_corner[c + 1];
+  for (int i = first; i < last; ++i) {
+    const int a = surface.triangle[next_corner(surface.corner_at[i])];
+    const int b = surface.triangle[previous_corner(surface.corner_at[i])];
+    const double la = surface.edge_length(c, a) / surface.unit(), lb = surface.edge_length(c, b) / surface.unit();
+    const double lab = surface.edge_length(a, b) / surface.unit();
+    const double x = (la * la + lb * lb - lab * lab) / (2 * la),
+                 y = std::sqrt(std::max(1e-12 * la * la, lb * lb - x * x));
+    const float *fa = features.of(features.target, a), *fb = features.of(features.target, b);
+    double gxx = 0, gxy = 0, gyy = 0;  // frames of different faces differ; only the trace and determinant matter below
+    for (int k = 0; k < features.dimension; ++k) {
+      const double w = matcher.weight()[k], dx = (fa[k] - origin[k]) / la, dy = ((fb[k] - origin[k]) - dx * x) / y;
+      gxx += w * dx * dx, gxy += w * dx * dy, gyy += w * dy * dy;
+    }
+    const double half = (gxx + gyy) / 2, apart = std::sqrt((gxx - gyy) * (gxx - gyy) / 4 + gxy * gxy);
+    information(0, 0) += (half + apart) / (last - first);
+    information(1, 1) += std::max(0.0, half - apart) / (last - first);
+  }
+  return std::sqrt(residual * (1 / std::max(1e-3, information(0, 0)) + 1 / std::max(1e-3, information(1, 1))));
+}
+
+// Terms of the joint cost between the landmarks, at vertices.
+void rate(const Surface& surface, const DistanceFields& fields, bool reflection, int threads, RefinedLandmarks& r) {
+  constexpr int kNeighbors = 8;
+  constexpr float kCap = 0.25f;
+  const Landmarks& m = r.landmarks;
+  const int count = static_cast<int>(m.from.size());
+  const float unit = static_cast<float>(surface.unit());
+  const auto [from_x, from_y] = directions(surface, m.from, fields, threads);
+  const auto [to_x, to_y] = directions(surface, m.to, r.to_field, threads);
+  for (int i = 0; i < count; ++i) {
+    std::vector<std::pair<float, int>> near;
+    for (int j = 0; j < count; ++j) {
+      const float d = fields(j, m.from[i]) / unit, e = r.to_field(j, m.to[i]) / unit - d;
+      r.distance += std::min(kCap, e * e / (d * d + kCoarse.near2));
+      if (d > 0) near.push_back({d, j});
+    }
+    const int used = std::min<int>(kNeighbors, static_cast<int>(near.size()));
+    std::partial_sort(near.begin(), near.begin() + used, near.end());
+    float re = 0, im = 0, torn = 0;
+    for (int k = 0; k < used; ++k) {
+      const auto [d, j] = near[k];
+      const float a = to_x(i, j), b = to_y(i, j), x = from_x(i, j), y = (reflection ? 1.f : -1.f) * from_y(i, j);
+      re += a * x - b * y;
+      im += a * y + b * x;
+      const float e = (r.to_field(j, m.to[i]) / unit - d) / d;
+      torn += std::min(1.f, e * e);
+    }
+    r.orientation += 1 - std::sqrt(re * re + im * im) / used;
+    r.continuity += torn / used;
+  }
+  r.distance /= static_cast<double>(count) * count;
+  r.orientation /= count;
+  r.continuity /= count;
+}
+
 }  // namespace
 
-DenseMap make_dense_map(const Surface& surface, const GeodesicSolver& solver, const Landmarks& landmarks,
-                        const DistanceFields& fields, int fixed, const DenseOptions& options, int threads,
-                        const Context& context) {
-  DenseMap map;
-  map.landmarks = landmarks;
+RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& solver, RefinedLandmarks start,
+                                  const DistanceFields& fields, const RefineOptions& options, int threads,
+                                  const Context& context) {
+  RefinedLandmarks out = std::move(start);
   const float unit = static_cast<float>(surface.unit());
-  const std::vector<std::array<int, 3>> nearest = nearest_landmarks(fields);
-  const int free_landmarks = static_cast<int>(landmarks.from.size()) - fixed;
+  std::vector<int>& to = out.landmarks.to;
+  const int movable = static_cast<int>(to.size()) - options.fixed;
   for (int round = 0; round < options.rounds; ++round) {
-    DistanceFields to = solver.fields(map.landmarks.to, threads, context);
-    const Features features = make_features(fields, to, unit, options.both_ways);
-    const Weighting weighting = round + 2 < options.rounds ? kCoarse : kFine;
-    match(surface, features, weighting, map.landmarks, nearest, map.partner, map.residual, threads, context);
-    if (round + 1 < options.rounds) {
-      for (int i = 0; i < free_landmarks; ++i) map.landmarks.to[i] = map.partner[map.landmarks.from[i]];
-      continue;
+    const Features features = make_features(fields, out.to_field, unit, options.reflection);
+    Matcher matcher(surface, features, kCoarse);
+    std::vector<int> moved, sources;
+    for (int i = 0; i < movable; ++i) {
+      matcher.look_at(out.landmarks.from[i]);
+      float e;
+      const int better = matcher.descend(to[i], e);
+      if (better == to[i]) continue;
+      to[i] = better;
+      moved.push_back(i);
+      sources.push_back(better);
     }
-    map.to_field = std::move(to);
-    map.point.resize(surface.vertices());
-    constexpr int kBlock = 256;
-    const int n = surface.vertices();
-    parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
-      Matcher matcher(surface, features, weighting);
-      for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
-        matcher.look_at(v);
-        map.point[v] = on_face(surface, features, matcher, map.partner[v]);
-      }
-    });
+    if (moved.empty()) break;
+    const DistanceFields field = solver.fields(sources, threads, context);
+    for (std::size_t k = 0; k < moved.size(); ++k) out.to_field.row(moved[k]) = field.row(static_cast<int>(k));
   }
+  out.distance = out.orientation = out.continuity = 0;
+  rate(surface, fields, options.reflection, threads, out);
+  return out;
+}
+
+DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
+                        bool reflection, int threads, const Context& context) {
+  DenseMap map;
+  const Features features = make_features(fields, refined.to_field, static_cast<float>(surface.unit()), reflection);
+  match(surface, features, refined.landmarks, nearest_landmarks(fields), map, threads, context);
+  map.point.resize(surface.vertices());
+  map.uncertainty.resize(surface.vertices());
+  for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
+    map.point[v] = on_face(surface, features, matcher, map.partner[v]);
+    map.uncertainty[v] =
+        static_cast<float>(position_uncertainty(surface, features, matcher, map.partner[v], map.residual[v]));
+  });
   return map;
 }
 

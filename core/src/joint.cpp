@@ -14,15 +14,15 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Lengths are in units of sqrt(area). Below kNear distances are compared absolutely, above it relatively.
 constexpr float kNear2 = 0.02f;
-constexpr float kCap = 0.25f;        // of one distance's relative squared error: outliers count, but no more
-constexpr float kReturn2 = 0.04f;    // squared distance at which a partner's partner is plainly not oneself
-constexpr int kAngles = 24;          // directions tried per seed
-constexpr int kSeedsPerPair = 4;     // distinct maps kept per seed pair
+constexpr float kCap = 0.25f;      // of one distance's relative squared error: outliers count, but no more
+constexpr float kReturn2 = 0.04f;  // squared distance at which a partner's partner is plainly not oneself
+constexpr int kAngles = 24;        // directions tried per seed
+constexpr int kSeedsPerPair = 4;   // distinct maps kept per seed pair
 constexpr int kSeedSweeps = 5;
-constexpr float kLocal = 0.25f;      // radius in which a child's genes look for better sites
-constexpr double kSame = 0.02;       // maps closer than this are one
-constexpr double kDistinct = 0.1;    // maps farther apart than this are different symmetries
-constexpr double kTrivial = 0.08;    // a map that moves samples by less is the identity
+constexpr float kLocal = 0.25f;    // radius in which a child's genes look for better sites
+constexpr double kSame = 0.02;     // maps closer than this are one
+constexpr double kDistinct = 0.1;  // maps farther apart than this are different symmetries
+constexpr double kTrivial = 0.08;  // a map that moves samples by less is the identity
 constexpr std::size_t kSurvivors = 10;
 
 constexpr float kEverywhere = kInfinity;  // best_response among all samples
@@ -49,9 +49,8 @@ JointProblem::JointProblem(const Sites& sites, const Surface& surface, const Geo
   unary_ = Table::Zero(samples, count);
   for (int i = 0; i < samples; ++i)
     for (int k = 0; k < count; ++k)
-      unary_(i, k) =
-          static_cast<float>(options.descriptor_weight) *
-          (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
+      unary_(i, k) = static_cast<float>(options.descriptor_weight) *
+                     (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
   if (!anchors.empty()) {
     std::vector<int> sources;
     for (const Anchor& a : anchors) sources.insert(sources.end(), {a.vertex, a.image});
@@ -272,7 +271,6 @@ Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Popul
 std::vector<std::array<int, 2>> JointProblem::seeds() const {
   std::vector<std::array<int, 2>> out;
   for (const Anchor& a : anchors_) out.push_back({a.vertex, sites_.nearest_sample[a.image]});
-  if (!out.empty()) return out;
   // A symmetry takes tips to tips of about the same centricity.
   constexpr float kAlike = 0.15f;
   const std::vector<int>& tips = sites_.extremal;
@@ -345,9 +343,8 @@ JointResult search_joint(const JointProblem& problem, const JointOptions& option
   for (int i : elite(costs, static_cast<int>(costs.size()))) {
     const SampleMap& map = run.population[i].genome;
     if (!std::isfinite(costs[i])) break;
-    const bool known = std::any_of(result.maps.begin(), result.maps.end(), [&](const SampleMap& kept) {
-      return problem.difference(kept, map) < kDistinct;
-    });
+    const bool known = std::any_of(result.maps.begin(), result.maps.end(),
+                                   [&](const SampleMap& kept) { return problem.difference(kept, map) < kDistinct; });
     if (known) continue;
     result.maps.push_back(map);
     result.costs.push_back(costs[i]);

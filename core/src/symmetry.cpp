@@ -21,17 +21,20 @@ const char* to_string(SymmetryKind kind) { return kind == SymmetryKind::reflecti
 
 const char* to_string(StopReason reason) {
   switch (reason) {
-    case StopReason::success_threshold: return "success threshold reached";
-    case StopReason::converged: return "converged";
-    case StopReason::max_generations: return "generation limit reached";
+    case StopReason::success_threshold:
+      return "success threshold reached";
+    case StopReason::converged:
+      return "converged";
+    case StopReason::max_generations:
+      return "generation limit reached";
   }
   return "";
 }
 
 namespace {
 
-constexpr int kNeighbors = 8;         // samples that count as near for orientation and continuity
-constexpr int kMaxOrder = 12;         // of rotations
+constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
+constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
 
 [[noreturn]] void out_of_range(const char* name, double value, const char* range) {
@@ -166,8 +169,7 @@ void finish(const Surface& surface, Found found, Result& result) {
 }
 
 Found find_by_pairs(const Surface& surface, const GeodesicSolver& solver, const References& references,
-                    const Options& options, Random& random, const Context& context, StageClock& clock,
-                    Result& result) {
+                    const Options& options, Random& random, const Context& context, StageClock& clock, Result& result) {
   const std::array<int, 2> axis{references.axis[0], references.axis[1]};
   PairsResult pairs =
       search_pairs(surface, solver, axis, references.pairs[0], options.pairs, random, options.threads, context);
@@ -191,42 +193,83 @@ Found find_by_pairs(const Surface& surface, const GeodesicSolver& solver, const 
 }
 
 // The landmarks of a sample map, then the references, which are exact.
-Landmarks make_landmarks(const Sites& sites, const SampleMap& map, const std::vector<Anchor>& anchors) {
-  Landmarks out;
+RefinedLandmarks make_landmarks(const Sites& sites, const SampleMap& map, const std::vector<Anchor>& anchors,
+                                const DistanceFields& anchor_images) {
+  RefinedLandmarks out;
+  out.to_field.resize(sites.samples + anchor_images.rows(), sites.field.cols());
   for (int i = 0; i < sites.samples; ++i) {
-    out.from.push_back(sites.vertex[i]);
-    out.to.push_back(sites.vertex[map[i]]);
+    out.landmarks.from.push_back(sites.vertex[i]);
+    out.landmarks.to.push_back(sites.vertex[map[i]]);
+    out.to_field.row(i) = sites.field.row(map[i]);
   }
   for (const Anchor& a : anchors) {
-    out.from.push_back(a.vertex);
-    out.to.push_back(a.image);
+    out.landmarks.from.push_back(a.vertex);
+    out.landmarks.to.push_back(a.image);
   }
+  out.to_field.bottomRows(anchor_images.rows()) = anchor_images;
   return out;
 }
 
-DistanceFields landmark_fields(const Sites& sites, const GeodesicSolver& solver, const std::vector<Anchor>& anchors,
-                               int threads) {
-  DistanceFields out(sites.samples + static_cast<int>(anchors.size()), sites.field.cols());
-  out.topRows(sites.samples) = sites.field.topRows(sites.samples);
-  if (anchors.empty()) return out;
+DistanceFields anchor_fields(const GeodesicSolver& solver, const std::vector<Anchor>& anchors, int Anchor::*end,
+                             int threads) {
   std::vector<int> sources;
-  for (const Anchor& a : anchors) sources.push_back(a.vertex);
-  out.bottomRows(static_cast<int>(anchors.size())) = solver.fields(sources, threads);
-  return out;
+  for (const Anchor& a : anchors) sources.push_back(a.*end);
+  return solver.fields(sources, threads);
 }
 
-// sqrt of the residual, and how far the partner's partner is off, by the landmarks' distances (a lower bound).
+// How far off the partner may be, by its residual and by where its own partner is (by the landmarks' distances: a lower
+// bound), in units.
 std::vector<double> vertex_fitness(const Surface& surface, const DenseMap& map, const DistanceFields& from,
                                    bool involution) {
   const int n = surface.vertices();
-  std::vector<double> out(n);
   std::vector<float> off(n, 0.f);
   if (involution)
     for (Eigen::Index i = 0; i < from.rows(); ++i) {
       const float* field = from.row(i).data();
       for (int v = 0; v < n; ++v) off[v] = std::max(off[v], std::abs(field[v] - field[map.partner[map.partner[v]]]));
     }
-  for (int v = 0; v < n; ++v) out[v] = std::sqrt(map.residual[v]) + off[v] / surface.unit();
+  std::vector<double> out(n);
+  for (int v = 0; v < n; ++v) out[v] = map.uncertainty[v] + off[v] / surface.unit();
+  return out;
+}
+
+struct Candidate {
+  RefinedLandmarks refined;
+  int map = 0;  // in JointResult::maps
+  double score = 0;
+};
+
+// The survivors of the search at vertex resolution, best first.
+//
+// A thin shape is nearly its own mirror image from front to back, and any shape is its own identity: distortion is
+// evidence only in proportion to how far the map moves the points.
+std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolver& solver, const Sites& sites,
+                                      const JointProblem& problem, const JointResult& search,
+                                      const std::vector<Anchor>& anchors, const DistanceFields& from,
+                                      const Options& options, const Context& context) {
+  constexpr std::size_t kCandidates = 4;
+  std::vector<Candidate> out;
+  for (std::size_t i = 0; i < search.maps.size(); ++i)
+    out.push_back({{}, static_cast<int>(i), search.costs[i] / problem.displacement(search.maps[i])});
+  const auto by_score = [](const Candidate& a, const Candidate& b) { return a.score < b.score; };
+  std::stable_sort(out.begin(), out.end(), by_score);
+  if (out.size() > kCandidates) out.resize(kCandidates);
+  const DistanceFields images = anchor_fields(solver, anchors, &Anchor::image, options.threads);
+  RefineOptions refine;
+  refine.fixed = static_cast<int>(anchors.size());
+  refine.reflection = options.symmetry == SymmetryKind::reflection;
+  for (Candidate& c : out) {
+    const SampleMap& map = search.maps[c.map];
+    c.refined = refine_landmarks(surface, solver, make_landmarks(sites, map, anchors, images), from, refine,
+                                 options.threads, context);
+    CostTerms terms = problem.terms(map);
+    terms.distance = c.refined.distance;
+    terms.orientation = c.refined.orientation;
+    terms.continuity = c.refined.continuity;
+    terms.bijectivity = 0;
+    c.score = problem.total(terms) / problem.displacement(map);
+  }
+  std::stable_sort(out.begin(), out.end(), by_score);
   return out;
 }
 
@@ -234,8 +277,8 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
                    const Options& options, Random& random, const Context& context, StageClock& clock, Result& result) {
   const bool reflection = options.symmetry == SymmetryKind::reflection;
   context.report(0.02, "distances");
-  const Sites sites = make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors,
-                                 options.threads, context);
+  const Sites sites =
+      make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads, context);
   clock.stage_done("distances");
   context.report(0.4, "search");
   const std::vector<Anchor> anchors = make_anchors(references, options.symmetry);
@@ -246,25 +289,25 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   result.stop = search.stop;
   if (search.maps.empty()) throw InvalidMesh("no symmetry found: the mesh has no distinct features to match");
 
-  // A thin shape is nearly its own mirror image from front to back, and any shape is its own identity: distortion is
-  // evidence only in proportion to how far the map moves the points.
-  std::vector<std::pair<double, int>> ranking;
-  for (std::size_t i = 0; i < search.maps.size(); ++i)
-    ranking.push_back({search.costs[i] / problem.displacement(search.maps[i]), static_cast<int>(i)});
-  std::sort(ranking.begin(), ranking.end());
-  for (const auto& [score, i] : ranking)
-    result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[i]), score});
-  if (ranking.size() > 1) result.confidence = 1 - ranking[0].first / ranking[1].first;
-  const SampleMap& chosen = search.maps[ranking[0].second];
+  context.report(0.6, "refinement");
+  DistanceFields from(sites.samples + static_cast<int>(anchors.size()), surface.vertices());
+  from.topRows(sites.samples) = sites.field.topRows(sites.samples);
+  from.bottomRows(static_cast<int>(anchors.size())) = anchor_fields(solver, anchors, &Anchor::vertex, options.threads);
+  std::vector<Candidate> ranking =
+      rank_survivors(surface, solver, sites, problem, search, anchors, from, options, context);
+  for (const Candidate& c : ranking)
+    result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[c.map]), c.score});
+  if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
   result.order = result.symmetries[0].order;
+  RefineOptions refine;
+  refine.fixed = static_cast<int>(anchors.size());
+  refine.reflection = reflection;
+  const RefinedLandmarks refined =
+      refine_landmarks(surface, solver, std::move(ranking[0].refined), from, refine, options.threads, context);
+  clock.stage_done("refinement");
 
-  context.report(0.7, "dense map");
-  const Landmarks landmarks = make_landmarks(sites, chosen, anchors);
-  const DistanceFields from = landmark_fields(sites, solver, anchors, options.threads);
-  DenseOptions dense;
-  dense.both_ways = reflection;
-  DenseMap map = make_dense_map(surface, solver, landmarks, from, static_cast<int>(anchors.size()), dense,
-                                options.threads, context);
+  context.report(0.8, "dense map");
+  DenseMap map = make_dense_map(surface, refined, from, reflection, options.threads, context);
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");
@@ -273,14 +316,14 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   if (reflection) {
     int left = -1;  // the user's own pair says which side is left
     if (!references.pairs.empty()) left = sites.samples + static_cast<int>(references.axis.size());
-    const std::vector<float> function = left_right_function(surface, map.landmarks, from, map.to_field, left);
+    const std::vector<float> function = left_right_function(surface, refined.landmarks, from, refined.to_field, left);
     found.side = sides(surface, function);
     found.axis = zero_set(surface, function, kShortestAxis);
   } else {
     found.side.assign(surface.vertices(), 0);
   }
   for (int i = 0; i < sites.samples; ++i) {
-    const int v = map.landmarks.from[i];
+    const int v = refined.landmarks.from[i];
     result.pairs.push_back({v, map.partner[v], found.fitness[v]});
   }
   found.partner = std::move(map.partner);

@@ -14,27 +14,43 @@ struct Landmarks {
   std::vector<int> from, to;
 };
 
-struct DenseOptions {
-  int rounds = 4;            ///< in each the landmarks' partners are found anew, [1, 20]
-  bool both_ways = true;     ///< a reflection also takes `to` to `from`
+/// Landmarks whose images have been moved to where their mutual distances agree best.
+struct RefinedLandmarks {
+  Landmarks landmarks;
+  DistanceFields to_field;  ///< landmarks x vertices: distance fields of landmarks.to
+  /// Of the agreement between the landmarks, each a mean in [0,1] as in the joint search, but at vertices.
+  double distance = 0;
+  double orientation = 0;
+  double continuity = 0;
 };
+
+struct RefineOptions {
+  int rounds = 2;          ///< in each all images are found anew, given the others, [0, 20]
+  int fixed = 0;           ///< that many landmarks at the end are exact and stay (the user's references)
+  bool reflection = true;  ///< a reflection also takes `to` to `from`, and mirrors directions
+};
+
+/// Moves the image of each landmark to the vertex whose distances to the other images are most like the landmark's own
+/// distances to the others; near ones count more. By descent on the mesh, from where the image is.
+/// @param fields  distance fields of landmarks.from, landmarks x vertices
+/// @param start   the landmarks and the fields of their images
+/// @throws Cancelled
+RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& solver, RefinedLandmarks start,
+                                  const DistanceFields& fields, const RefineOptions& options, int threads,
+                                  const Context& context = {});
 
 struct DenseMap {
-  std::vector<int> partner;          ///< per vertex: its partner
-  std::vector<double> residual;      ///< per vertex: mean relative squared error of its distances, >= 0
-  std::vector<SurfacePoint> point;   ///< per vertex: the partner on a face; surface vertices
-  Landmarks landmarks;               ///< refined
-  DistanceFields to_field;           ///< landmarks x vertices: fields of the refined landmarks.to
+  std::vector<int> partner;         ///< per vertex: its partner
+  std::vector<float> residual;      ///< per vertex: weighted mean squared error of its distances, in units^2
+  std::vector<float> uncertainty;   ///< per vertex: how far off the partner may be by that residual, in units
+  std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face; surface vertices
 };
 
-/// partner(v) is the vertex whose distances to the landmarks' partners are most like those of v to the landmarks; near
-/// landmarks count more. Found by descent on the mesh from where the partners of v's neighbours stand, so its cost is
-/// linear in the vertices.
-/// @param fields  distance fields of landmarks.from, landmarks x vertices
-/// @param fixed   that many landmarks at the end are given and not refined (the user's references)
+/// partner(v) is the vertex whose distances to the landmarks' images are most like those of v to the landmarks; near
+/// landmarks count more. Found by descent on the mesh from where the partners of near landmarks and of v's neighbours
+/// stand, so the work is linear in the vertices.
 /// @throws Cancelled
-DenseMap make_dense_map(const Surface& surface, const GeodesicSolver& solver, const Landmarks& landmarks,
-                        const DistanceFields& fields, int fixed, const DenseOptions& options, int threads,
-                        const Context& context = {});
+DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
+                        bool reflection, int threads, const Context& context = {});
 
 }  // namespace ga_symmetry

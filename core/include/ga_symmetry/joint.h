@@ -78,9 +78,9 @@ class JointProblem {
   const JointOptions& options_;
   SymmetryKind kind_;
   bool oriented_;
-  std::vector<Anchor> anchors_;  // as nearest sample and nearest site
-  Table weight_;                 // samples x samples: 1 / (d^2 + eps)
-  Table unary_;                  // samples x sites
+  std::vector<Anchor> anchors_;               // as nearest sample and nearest site
+  Table weight_;                              // samples x samples: 1 / (d^2 + eps)
+  Table unary_;                               // samples x sites
   std::vector<std::vector<int>> near_sites_;  // per site, nearest first
 };
 

@@ -15,15 +15,15 @@ using Table = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 /// Lengths are divided by the surface's unit.
 struct Sites {
   int samples = 0;
-  std::vector<int> vertex;        ///< per site
-  DistanceFields field;           ///< sites x vertices, unit of the surface
-  Table distance;                 ///< sites x sites, symmetric
-  Table cosine, sine;             ///< sites x sites: direction at the row's site towards the column's, in its tangent plane
-  Table descriptor;               ///< sites x features, each scaled to standard deviation 1
-  std::vector<float> centricity;  ///< per site: average geodesic distance to the surface
+  std::vector<int> vertex;  ///< per site
+  DistanceFields field;     ///< sites x vertices, unit of the surface
+  Table distance;           ///< sites x sites, symmetric
+  Table cosine, sine;       ///< sites x sites: direction at the row's site towards the column's, in its tangent plane
+  Table descriptor;         ///< sites x features, each scaled to standard deviation 1
+  std::vector<float> centricity;            ///< per site: average geodesic distance to the surface
   std::vector<int> nearest_sample;          ///< per site
   std::vector<std::vector<int>> neighbors;  ///< per sample: its nearest samples, nearest first
-  std::vector<int> extremal;      ///< samples where centricity has a local maximum (tips, farthest first), and its minimum
+  std::vector<int> extremal;  ///< samples where centricity has a local maximum (tips, farthest first), and its minimum
 
   int count() const { return static_cast<int>(vertex.size()); }
 };
