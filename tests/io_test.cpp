@@ -1,7 +1,7 @@
 // Files: meshes in, results out, the contract of the CSV, all or nothing.
 #include <gtest/gtest.h>
 #include <sys/mount.h>
-#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/export_off.h>
@@ -556,6 +556,25 @@ TEST_F(SmallDisk, FullDiskLeavesTheOldFile) {
     EXPECT_EQ(read(path(name)), "old");
   }
   EXPECT_EQ(names(), (std::vector<std::string>{"a.csv", "a.json", "a.ply"}));
+}
+
+TEST_F(SmallDisk, TheLastByteDoesNotFit) {
+  const TriangleMesh mesh = shapes::sphere();
+  for (const char* name : {"a.csv", "a.json", "a.ply"}) {
+    write_result(path(name), mesh, made_up(mesh));
+    const std::uintmax_t size = fs::file_size(path(name));
+    write(name, "old");
+    struct statvfs disk {};
+    ASSERT_EQ(statvfs(folder_.c_str(), &disk), 0);
+    const std::uintmax_t needed = (size + disk.f_bsize - 1) / disk.f_bsize;
+    ASSERT_GE(disk.f_bfree, needed);
+    write("filler", std::string((disk.f_bfree - needed + 1) * disk.f_bsize, 'x'));  // one block too few is left
+    EXPECT_THROW(write_result(path(name), mesh, made_up(mesh)), FileError) << name;
+    EXPECT_EQ(read(path(name)), "old");
+    fs::remove(path("filler"));
+    EXPECT_NO_THROW(write_result(path(name), mesh, made_up(mesh))) << name;
+    fs::remove(path(name));
+  }
 }
 
 TEST_F(SmallDisk, ReadOnlyDisk) {
