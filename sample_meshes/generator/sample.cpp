@@ -41,18 +41,22 @@ std::vector<double> distances(const Mesh& mesh, const Neighbours& around, const 
   return d;
 }
 
-// Two fixed points as far apart as possible, and a pair as far from them, or from the axis, as possible.
+// Two fixed points far apart, and a pair as far from them, or from the axis, as possible.
 std::array<int, 4> references(const Sample& s, const Neighbours& around) {
   std::vector<int> fixed;
   for (int v = 0; v < s.mesh.points(); ++v)
     if (s.partner[v] == v) fixed.push_back(v);
   require(fixed.size() >= 2, "at least two vertices are their own partners");
-  double farthest = -1;
   std::array<int, 4> refs{};
-  for (int a : fixed) {
+  double farthest = -1;
+  for (int a = fixed[0];;) {  // to the farthest one and back, until that is no gain
     const std::vector<double> d = distances(s.mesh, around, {a});
-    for (int b : fixed)
-      if (d[b] > farthest) farthest = d[b], refs[0] = a, refs[1] = b;
+    const int b = *std::max_element(fixed.begin(), fixed.end(), [&](int v, int w) { return d[v] < d[w]; });
+    if (d[b] <= farthest) break;
+    farthest = d[b];
+    refs[0] = a;
+    refs[1] = b;
+    a = b;
   }
   const std::vector<double> d = distances(s.mesh, around, fixed);
   farthest = -1;
