@@ -23,13 +23,22 @@ screen_packages=(xvfb xauth)
 picture_packages=(xdotool imagemagick)
 test_packages=(libgtest-dev librapidcheck-dev)
 
-# build PRESET: fetches MeshLab's source if need be, configures, builds everything in build/PRESET.
+# build PRESET [OPTION]... [-- TARGET...]: fetches MeshLab's source if need be, configures, builds in build/PRESET.
 build() {
-  local source options=()
+  local preset=$1 source options=() targets=()
+  shift
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1") && shift; done
+  [ $# -eq 0 ] || targets=(--target "${@:2}")
+  case $preset in dev | release) options+=(-DGA_SYMMETRY_PLUGIN=ON) ;; esac
   source=$(scripts/get_meshlab_source)
   echo "== MeshLab's source is in $source"
-  case $1 in dev | release) options=(-DGA_SYMMETRY_PLUGIN=ON) ;; esac
-  echo "== building in build/$1"
-  cmake --preset "$1" --log-level=WARNING "${options[@]}"
-  cmake --build "build/$1"
+  echo "== building in build/$preset"
+  cmake --preset "$preset" --log-level=WARNING "${options[@]}" >/dev/null
+  cmake --build "build/$preset" "${targets[@]}"
+}
+
+# What it takes to run the filter in MeshLab and to measure it.
+build_release() {
+  install_packages "${build_packages[@]}"
+  build release -DBUILD_TESTING=OFF -- filter_ga_symmetry make_filter_script ga_symmetry_tool
 }
