@@ -19,7 +19,7 @@ constexpr float kPointCurvature = 1e30f;
 // An edge resolves a front whose radius is not much below its length; see `edge_curvature`.
 constexpr float kResolved = 0.7f;
 // A vertex that was done is visited again for a gain of so much of an edge: smaller ones cost more than they bring.
-constexpr float kWorthwhile = 3e-3f;
+constexpr float kWorthwhile = 5e-5f;
 // Rings over which the Gaussian curvature is averaged: single vertices of a coarse mesh are too noisy to follow.
 constexpr int kCurvatureRings = 3;
 // Buckets of the queue, and how many of them an average edge spans.
@@ -149,6 +149,12 @@ inline void cross_edge(const Node& a, const Node& b, float ab, float at, float c
   const float way = (k * (x * x + y * y - 0.25f * rest * ab * ab) + 2 * (x * slope + y * h)) / (1 + radius);
   const float distance = 0.5f * (a.distance + b.distance) + way;
   if (distance < best.distance) best = {distance, std::max(-1 / at, k / radius - gauss * way)};
+}
+
+// Whether a front over the edge ab can come to t before it comes to a: where the angle at t is obtuse, or so near to a
+// right one that the curvature of the front makes up for it.
+inline bool may_come_before(const Spoke& at, const Node& t, const Spoke& ab, float cosine) {
+  return at.length * (1 - 0.5f * t.curvature * ab.length) < ab.length * cosine;
 }
 
 inline Arrival along_edge(const Node& a, float length, float gauss) {
@@ -342,7 +348,7 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
     const float gauss = hub[number_a].curvature;
     const auto usable = [&](const Node& x, int v) { return settled(x) && (!labelled || label[v] == label[number_a]); };
     // Neighbours b and c in turn, with the triangle a, b, c between them. A settled one and a hold the edge over which
-    // the front comes to the other. It comes there later than to a, except where the other's angle is obtuse.
+    // the front comes to the other.
     const Spoke* b = &spoke[hub[number_a].first];
     const Spoke* const end = &spoke[hub[number_a + 1].first];
     Node node_b = node[b->to];
@@ -354,19 +360,23 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
       if (c < end) {
         node_c = node[c->to];
         if (b->sine > 0) {
-          if (usable(node_b, b->to) && (node_c.distance > a.distance || c->length < b->length * b->cosine))
+          if (usable(node_b, b->to) && (node_c.distance > a.distance || may_come_before(*c, node_c, *b, b->cosine)))
             cross_edge(a, node_b, b->length, c->length, b->cosine, b->sine, gauss, at_c);
-          if (usable(node_c, c->to) && (node_b.distance > a.distance || b->length < c->length * b->cosine))
+          if (usable(node_c, c->to) && (node_b.distance > a.distance || may_come_before(*b, node_b, *c, b->cosine)))
             cross_edge(a, node_c, c->length, b->length, b->cosine, b->sine, gauss, at_b);
         }
       }
-      float bound = std::min(node_b.distance, beyond);
-      if (settled(node_b)) bound -= std::max(kWorthwhile * b->length, 1e-6f * node_b.distance);
-      if (std::min(at_b.distance, a.distance + b->length) < bound) {
-        if (!(at_b.distance < a.distance + b->length)) at_b = along_edge(a, b->length, gauss);
-        if (reached && !(node[b->to].distance < kInfinity)) reached->push_back(b->to);
-        queue.put(b->to, at_b.distance, at_b.curvature);
+      const float along = a.distance + b->length;
+      if (std::min(at_b.distance, along) < std::min(node_b.distance, beyond)) {
+        if (!(at_b.distance < along)) at_b = along_edge(a, b->length, gauss);
+        Node& x = node[b->to];
         if (labelled) label[b->to] = label[number_a];
+        if (settled(node_b) && !(at_b.distance < node_b.distance - kWorthwhile * b->length)) {
+          x.distance = at_b.distance, x.curvature = at_b.curvature;
+        } else {
+          if (reached && !(x.distance < kInfinity)) reached->push_back(b->to);
+          queue.put(b->to, at_b.distance, at_b.curvature);
+        }
       }
       if (c == end) break;
       b = c, node_b = node_c, at_b = at_c;
