@@ -19,11 +19,12 @@ constexpr float kReturn2 = 0.04f;  // squared distance at which a partner's part
 constexpr int kAngles = 24;        // directions tried per seed
 constexpr int kSeedsPerPair = 4;   // distinct maps kept per seed pair
 constexpr int kSeedSweeps = 5;
-constexpr float kLocal = 0.25f;    // radius in which a child's genes look for better sites
+constexpr float kLocal = 0.25f;  // radius in which a child's genes look for better sites
+constexpr double kDistinctSeeds = 0.15;
 constexpr double kSame = 0.02;     // maps closer than this are one
 constexpr double kDistinct = 0.1;  // maps farther apart than this are different symmetries
 constexpr double kTrivial = 0.08;  // a map that moves samples by less is the identity
-constexpr std::size_t kSurvivors = 10;
+constexpr int kSurvivors = 10;
 
 constexpr float kEverywhere = kInfinity;  // best_response among all samples
 
@@ -285,10 +286,28 @@ std::vector<std::array<int, 2>> JointProblem::seeds() const {
 
 namespace {
 
-// Coherent maps, improved over all samples; the best few distinct ones of every seed pair.
+// Distinct maps in the given order. @param same  maps closer than this are one
+Population<SampleMap> distinct(const JointProblem& problem, const Population<SampleMap>& sorted, double same,
+                               int limit) {
+  Population<SampleMap> out;
+  for (const auto& individual : sorted) {
+    if (static_cast<int>(out.size()) >= limit) break;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const auto& kept) {
+      return problem.difference(kept.genome, individual.genome) < same;
+    });
+    if (!known) out.push_back(individual);
+  }
+  return out;
+}
+
+void sort_by_cost(Population<SampleMap>& population) {
+  std::stable_sort(population.begin(), population.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+}
+
+// Coherent maps, each improved over all samples: the best of every seed pair first, then the second best, ...
 Population<SampleMap> seed_population(const JointProblem& problem, int limit, int threads, const Context& context) {
   const std::vector<std::array<int, 2>> seeds = problem.seeds();
-  std::vector<Population<SampleMap>> slots(seeds.size());
+  std::vector<Population<SampleMap>> of_pair(seeds.size());
   parallel_for(static_cast<int>(seeds.size()), threads, [&](int s, int) {
     if (context.cancelled()) throw Cancelled();
     Population<SampleMap> tried;
@@ -297,32 +316,26 @@ Population<SampleMap> seed_population(const JointProblem& problem, int limit, in
       const double cost = problem.cost(map);
       tried.push_back({std::move(map), cost, true});
     }
-    std::stable_sort(tried.begin(), tried.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
-    for (auto& candidate : tried) {
-      const bool known = std::any_of(slots[s].begin(), slots[s].end(), [&](const auto& kept) {
-        return problem.difference(kept.genome, candidate.genome) < 0.15;
-      });
-      if (!known) slots[s].push_back(candidate);
-      if (static_cast<int>(slots[s].size()) >= kSeedsPerPair) break;
-    }
-    for (auto& individual : slots[s]) {
-      for (int sweep = 0; sweep < kSeedSweeps; ++sweep)
-        if (!problem.best_response(individual.genome, kEverywhere)) break;
-      individual.cost = problem.evaluate(individual.genome, 0);
-      individual.evaluated = true;
-    }
+    sort_by_cost(tried);
+    of_pair[s] = distinct(problem, tried, kDistinctSeeds, kSeedsPerPair);
   });
-  Population<SampleMap> all, out;
-  for (auto& slot : slots) std::move(slot.begin(), slot.end(), std::back_inserter(all));
-  std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
-  for (auto& individual : all) {
-    const bool known = std::any_of(out.begin(), out.end(), [&](const auto& kept) {
-      return problem.difference(kept.genome, individual.genome) < kSame;
-    });
-    if (!known) out.push_back(std::move(individual));
-    if (static_cast<int>(out.size()) >= limit) break;
+  Population<SampleMap> out;
+  for (int rank = 0; rank < kSeedsPerPair; ++rank) {
+    Population<SampleMap> level;
+    for (const auto& population : of_pair)
+      if (rank < static_cast<int>(population.size())) level.push_back(population[rank]);
+    sort_by_cost(level);
+    for (auto& individual : level)
+      if (static_cast<int>(out.size()) < limit) out.push_back(std::move(individual));
   }
-  return out;
+  parallel_for(static_cast<int>(out.size()), threads, [&](int i, int worker) {
+    if (context.cancelled()) throw Cancelled();
+    for (int sweep = 0; sweep < kSeedSweeps; ++sweep)
+      if (!problem.best_response(out[i].genome, kEverywhere)) break;
+    out[i].cost = problem.evaluate(out[i].genome, worker);
+  });
+  sort_by_cost(out);
+  return distinct(problem, out, kSame, limit);
 }
 
 }  // namespace
@@ -332,23 +345,18 @@ JointResult search_joint(const JointProblem& problem, const JointOptions& option
   Population<SampleMap> population = seed_population(problem, options.population, threads, context);
   GeneticOptions genetic;
   genetic.max_generations = options.max_generations;
-  genetic.stall_generations = 10;
+  genetic.stall_generations = 8;
   genetic.success_threshold = 0;
   genetic.threads = threads;
   GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context);
   JointResult result;
   result.log = std::move(run.log);
   result.stop = run.stop;
-  const std::vector<double> costs = costs_of(run.population);
-  for (int i : elite(costs, static_cast<int>(costs.size()))) {
-    const SampleMap& map = run.population[i].genome;
-    if (!std::isfinite(costs[i])) break;
-    const bool known = std::any_of(result.maps.begin(), result.maps.end(),
-                                   [&](const SampleMap& kept) { return problem.difference(kept, map) < kDistinct; });
-    if (known) continue;
-    result.maps.push_back(map);
-    result.costs.push_back(costs[i]);
-    if (result.maps.size() >= kSurvivors) break;
+  sort_by_cost(run.population);
+  for (auto& survivor : distinct(problem, run.population, kDistinct, kSurvivors)) {
+    if (!std::isfinite(survivor.cost)) continue;
+    result.maps.push_back(std::move(survivor.genome));
+    result.costs.push_back(survivor.cost);
   }
   return result;
 }

@@ -40,7 +40,8 @@ void check_input(const TriangleMesh& mesh) {
                         ": repair the mesh file");
   for (std::size_t i = 0; i < mesh.position.size(); ++i)
     if (!std::isfinite(mesh.position[i]))
-      throw InvalidMesh("vertex " + std::to_string(i / 3) + " has a coordinate that is not finite: repair or delete it");
+      throw InvalidMesh("vertex " + std::to_string(i / 3) +
+                        " has a coordinate that is not finite: repair or delete it");
 }
 
 // Scale to the unit box before anything is squared, so that 1e-30 and 1e+30 neither vanish nor overflow.
@@ -151,8 +152,8 @@ std::vector<int> one_component(const std::vector<double>& position, std::vector<
   std::vector<int> out;
   for (std::size_t f = 0; f < component.size(); ++f)
     if (component[f] == keep) out.insert(out.end(), &triangle[3 * f], &triangle[3 * f] + 3);
-  warnings.push_back("used the largest of " + std::to_string(count) + " components: " +
-                     std::to_string(out.size() / 3) + " of " + std::to_string(component.size()) + " faces");
+  warnings.push_back("used the largest of " + std::to_string(count) + " components: " + std::to_string(out.size() / 3) +
+                     " of " + std::to_string(component.size()) + " faces");
   return out;
 }
 
@@ -215,6 +216,10 @@ Surface make_surface(const TriangleMesh& mesh, bool largest_component) {
   s.triangle = one_component(position, mesh.triangle, largest_component, s.warnings);
 
   std::vector<int> index(mesh.vertices(), -1);
+  for (int v : mesh.triangle) index[v] = 0;
+  const long unused = std::count(index.begin(), index.end(), -1);
+  if (unused) s.warnings.push_back("left out " + count_of(unused, "point") + " that no face uses");
+  index.assign(mesh.vertices(), -1);
   for (int v : s.triangle) index[v] = 0;
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (index[v] < 0) continue;

@@ -249,8 +249,11 @@ std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolv
                                       const Options& options, const Context& context) {
   constexpr std::size_t kCandidates = 4;
   std::vector<Candidate> out;
-  for (std::size_t i = 0; i < search.maps.size(); ++i)
-    out.push_back({{}, static_cast<int>(i), search.costs[i] / problem.displacement(search.maps[i])});
+  for (std::size_t i = 0; i < search.maps.size(); ++i) {
+    Candidate& candidate = out.emplace_back();
+    candidate.map = static_cast<int>(i);
+    candidate.score = search.costs[i] / problem.displacement(search.maps[i]);
+  }
   const auto by_score = [](const Candidate& a, const Candidate& b) { return a.score < b.score; };
   std::stable_sort(out.begin(), out.end(), by_score);
   if (out.size() > kCandidates) out.resize(kCandidates);
