@@ -90,7 +90,7 @@ class FieldsAhead {
   void guess(const std::vector<float>& nearest, const Samples& samples, int count) {
     std::vector<int> peaks;
     for (int v = 0; v < surface_.vertices(); ++v) {
-      bool peak = nearest[v] >= 0;
+      bool peak = nearest[v] > 0;
       for (int i = surface_.first_corner[v]; peak && i < surface_.first_corner[v + 1]; ++i) {
         const int c = surface_.corner_at[i];
         peak = nearest[surface_.triangle[next_corner(c)]] <= nearest[v] &&
@@ -149,7 +149,6 @@ Samples evenly_spaced_samples(const Surface& surface, const GeodesicSolver& solv
     }
     out.vertex.push_back(vertex);
     for (int v = 0; v < n; ++v) nearest[v] = std::min(nearest[v], field[v]);
-    nearest[vertex] = -1;  // never twice
   }
   return out;
 }

@@ -50,19 +50,20 @@ struct StageTime {
 
 /// Result of find_symmetry. Vertex indices are those of the TriangleMesh that was given.
 struct Result {
-  std::vector<int> partner;     ///< per vertex: its partner's index, -1 = none
-  std::vector<double> fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless; of a vertex without partner: the largest found
-  std::vector<int> side;        ///< per vertex: +1 left, 0 on the axis, -1 right
+  std::vector<int> partner;  ///< per vertex: its partner's index, -1 = none
+  std::vector<double>
+      fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless; of a vertex without partner: the largest found
+  std::vector<int> side;                    ///< per vertex: +1 left, 0 on the axis, -1 right
   std::vector<SurfacePoint> partner_point;  ///< per vertex: the partner as a point on a face (vertex -1 = none)
 
   SymmetryKind kind = SymmetryKind::reflection;
   int order = 2;
-  std::vector<SymmetricPair> pairs;                      ///< the samples and their partners
-  std::vector<std::vector<SurfacePoint>> axis;           ///< polylines on the surface; a closed one repeats its first point
-  std::vector<FoundSymmetry> symmetries;                 ///< all distinct ones, best first
-  double confidence = 1;                                 ///< [0,1]: how far the best is ahead of the runner-up
-  std::vector<int> axis_references;                      ///< as used
-  std::vector<std::array<int, 2>> pair_references;       ///< as used
+  std::vector<SymmetricPair> pairs;                 ///< the samples and their partners
+  std::vector<std::vector<SurfacePoint>> axis;      ///< polylines on the surface; a closed one repeats its first point
+  std::vector<FoundSymmetry> symmetries;            ///< all distinct ones, best first
+  double confidence = 1;                            ///< [0,1]: how far the best is ahead of the runner-up
+  std::vector<int> axis_references;                 ///< as used
+  std::vector<std::array<int, 2>> pair_references;  ///< as used
 
   double mean_fitness = 0;  ///< over vertices with a partner
   int matched = 0;          ///< vertices with a partner

@@ -10,15 +10,15 @@ namespace ga_symmetry {
 
 /// Corner c = 3 * face + k is the k-th vertex of a face; it also names the face's edge opposite to it.
 struct Surface {
-  std::vector<double> position;  ///< x,y,z per vertex
-  std::vector<int> triangle;     ///< vertex of each corner; faces consistently oriented where `orientable`
-  std::vector<int> first_corner; ///< vertices + 1: range of `corner_at` that holds a vertex's corners
-  std::vector<int> corner_at;    ///< corners grouped by vertex
-  std::vector<int> opposite;     ///< per corner: the corner across its edge, -1 at the border
-  std::vector<int> mesh_vertex;  ///< per vertex: its index in the mesh that came in
+  std::vector<double> position;     ///< x,y,z per vertex
+  std::vector<int> triangle;        ///< vertex of each corner; faces consistently oriented where `orientable`
+  std::vector<int> first_corner;    ///< vertices + 1: range of `corner_at` that holds a vertex's corners
+  std::vector<int> corner_at;       ///< corners grouped by vertex
+  std::vector<int> opposite;        ///< per corner: the corner across its edge, -1 at the border
+  std::vector<int> mesh_vertex;     ///< per vertex: its index in the mesh that came in
   std::vector<double> vertex_area;  ///< per vertex: a third of the faces around it
-  int mesh_vertices = 0;         ///< vertices of the mesh that came in
-  double area = 0;               ///< total
+  int mesh_vertices = 0;            ///< vertices of the mesh that came in
+  double area = 0;                  ///< total
   bool orientable = true;
   bool closed = true;
   std::vector<std::string> warnings;  ///< what was left out, one line each

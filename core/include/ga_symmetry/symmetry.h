@@ -18,8 +18,8 @@ enum class Sampling { evenly_spaced, uniform };
 
 /// Reference vertices that the user knows; all indices are vertices of the mesh. Empty = automatic.
 struct References {
-  std::vector<int> axis;                   ///< on the symmetry axis: the symmetry does not move them
-  std::vector<std::array<int, 2>> pairs;   ///< {l, r}: the symmetry takes l to r
+  std::vector<int> axis;                  ///< on the symmetry axis: the symmetry does not move them
+  std::vector<std::array<int, 2>> pairs;  ///< {l, r}: the symmetry takes l to r
   bool empty() const { return axis.empty() && pairs.empty(); }
 };
 
@@ -37,14 +37,14 @@ References references_from_selection(const TriangleMesh& mesh, const std::array<
 /// The paper's pair-wise genetic algorithm; defaults as in the paper.
 struct PairsOptions {
   PairError error = PairError::squared;
-  int samples = 1000;                 ///< on both sides together, [20, 20000]
+  int samples = 1000;  ///< on both sides together, [20, 20000]
   Sampling sampling = Sampling::evenly_spaced;
-  int individuals = 4;                ///< pairs per reference vertex, [1, 100]
-  int regions = 5;                    ///< distance regions per axis point, [2, 100]
-  double outlier_z = 1.96;            ///< mutate where the Z-error is above
-  double mutation_barrier_z = -1.96;  ///< keep where the Z-error is below
-  double mutation_probability = 0.01; ///< per pair and generation, [0,1]
-  int max_generations = 300;          ///< [1, 100000]
+  int individuals = 4;                 ///< pairs per reference vertex, [1, 100]
+  int regions = 5;                     ///< distance regions per axis point, [2, 100]
+  double outlier_z = 1.96;             ///< mutate where the Z-error is above
+  double mutation_barrier_z = -1.96;   ///< keep where the Z-error is below
+  double mutation_probability = 0.01;  ///< per pair and generation, [0,1]
+  int max_generations = 300;           ///< [1, 100000]
 };
 
 /// The joint search: one individual is a partner for every sample. Lengths are relative to sqrt(area).
@@ -66,8 +66,8 @@ struct Options {
   Method method = Method::joint;
   SymmetryKind symmetry = SymmetryKind::reflection;
   References references;
-  std::uint64_t seed = 1;  ///< same seed + mesh + build => same bytes, whatever `threads`
-  int threads = 0;         ///< 0 = all cores, [0, 256]; speed only, never results
+  std::uint64_t seed = 1;          ///< same seed + mesh + build => same bytes, whatever `threads`
+  int threads = 0;                 ///< 0 = all cores, [0, 256]; speed only, never results
   bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
   PairsOptions pairs;
   JointOptions joint;
