@@ -233,6 +233,8 @@ void GeodesicSolver::Impl::link(const Surface& s) {
   std::vector<char> seen(s.triangle.size(), 0);
   std::vector<int> fan;
   double total_length = 0;
+  hub.reserve(n + 1);
+  spoke.reserve(s.triangle.size() + n);
   for (int i = 0; i < n; ++i) {
     const int v = vertex[i];
     hub.push_back({static_cast<int>(spoke.size()), 0});
@@ -349,8 +351,8 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
     const auto usable = [&](const Node& x, int v) { return settled(x) && (!labelled || label[v] == label[number_a]); };
     // Neighbours b and c in turn, with the triangle a, b, c between them. A settled one and a hold the edge over which
     // the front comes to the other.
-    const Spoke* b = &spoke[hub[number_a].first];
-    const Spoke* const end = &spoke[hub[number_a + 1].first];
+    const Spoke* b = spoke.data() + hub[number_a].first;
+    const Spoke* const end = spoke.data() + hub[number_a + 1].first;
     Node node_b = node[b->to];
     Arrival at_b, at_c;
     for (;;) {

@@ -19,7 +19,7 @@ using DistanceFields = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eige
 /// with the Gaussian curvature of the surface; so the error falls with the square of the edge length, and on flat parts
 /// the distance is exact wherever a straight line reaches. d(a,b) and d(b,a) differ by the error: take the mean where
 /// symmetry matters. The numbering of the vertices changes nothing but the order of the answer.
-/// Memory: about 150 bytes a vertex, and 20 for each workspace.
+/// Memory: about 130 bytes a vertex, and 16 for each workspace.
 /// Source: Kimmel & Sethian 1998, with the circular front of Novotni & Klein 2002. Differs: the radius of the front is
 /// tracked instead of being taken for the distance, which is wrong wherever the surface is curved; and a vertex is
 /// visited again where obtuse triangles hide its true distance at first.
