@@ -268,6 +268,21 @@ TEST(SplitSides, OppositeForTruePartnersAndThroughTheAxisPoints) {
   }
 }
 
+TEST(SplitSides, BalancesAReferencePairThatIsOff) {
+  shapes::Symmetric shape = shapes::shuffled(shapes::creature(3), 5);
+  const Scene honest(shape);
+  const DistanceFields fields = honest.fields();
+  const double unit = honest.surface.unit();
+  for (int v = 0; v < honest.surface.vertices(); ++v)  // the farthest towards l, within 0.3 of the true r
+    if (fields(3, v) < 0.3 * unit && fields(2, v) < fields(2, shape.pair[1])) shape.pair[1] = v;
+  const Scene scene(shape);
+  ASSERT_GT(scene.fields()(3, honest.pair[1]), 0.2 * unit);
+  const std::vector<int> side = split_sides(scene.surface, scene.fields(), shape.axis, shape.pair);
+  int wrong = 0;
+  for (int v = 0; v < scene.surface.vertices(); ++v) wrong += side[v] * side[shape.partner[v]] > 0;
+  EXPECT_LE(wrong, scene.surface.vertices() / 8);  // nearly half without the balance
+}
+
 TEST(SplitSides, NoEdgeJoinsBothSides) {
   const shapes::Symmetric shape = posed_creature();
   const Scene scene(shape);
