@@ -1,0 +1,289 @@
+#include "ga_symmetry/joint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "ga_symmetry/evaluation.h"
+#include "ga_symmetry/symmetry.h"
+#include "symmetric_shapes.h"
+
+namespace ga_symmetry {
+namespace {
+
+// One bent, renumbered creature with its tables, for all tests here: they only read it.
+struct Scene {
+  shapes::Symmetric shape = shapes::shuffled(shapes::bent(shapes::creature(3), 0.1), 7);
+  Surface surface = make_surface(shape.mesh);
+  GeodesicSolver solver{surface};
+  Sites sites = make_sites(surface, solver, 40, 120, 6, 1);
+};
+const Scene& scene() {
+  static const Scene s;
+  return s;
+}
+
+JointProblem problem(const JointOptions& options, const References& references = {}) {
+  const Scene& s = scene();
+  return JointProblem(s.sites, s.surface, s.solver, SymmetryKind::reflection,
+                      make_anchors(references, SymmetryKind::reflection), options);
+}
+
+SampleMap random_map(std::uint64_t seed) {
+  Random random(seed);
+  SampleMap map(scene().sites.samples);
+  for (int& site : map) site = static_cast<int>(draw_below(random, scene().sites.count()));
+  return map;
+}
+
+References references_of(const shapes::Symmetric& shape) {
+  References r;
+  r.axis = {shape.axis[0], shape.axis[1]};
+  r.pairs = {{shape.pair[0], shape.pair[1]}};
+  return r;
+}
+
+double mean_error(const TriangleMesh& mesh, const std::vector<int>& truth, const std::vector<int>& partner) {
+  const Surface surface = make_surface(mesh);
+  const GeodesicSolver solver(surface);
+  double sum = 0;
+  int count = 0;
+  for (int v = 0; v < surface.vertices(); v += 7, ++count) {
+    if (partner[v] < 0) return 1;
+    const DistanceFields field = solver.fields({truth[v]}, 1);
+    sum += field(0, partner[v]) / surface.unit();
+  }
+  return sum / count;
+}
+
+TEST(Anchors, AReflectionTakesAPairBothWays) {
+  References r;
+  r.axis = {5};
+  r.pairs = {{1, 2}};
+  const auto both = make_anchors(r, SymmetryKind::reflection);
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_EQ(both[0].image, 5);
+  EXPECT_EQ(both[2].vertex, 2);
+  EXPECT_EQ(both[2].image, 1);
+  EXPECT_EQ(make_anchors(r, SymmetryKind::rotation).size(), 2u);
+}
+
+TEST(Directions, AnglesBetweenSourcesAreThoseOfThePlane) {
+  const Surface s = make_surface(shapes::grid(41, 41));
+  const GeodesicSolver solver(s);
+  const std::vector<int> sources{41 * 5 + 5, 41 * 5 + 35, 41 * 33 + 22};
+  const int center = 41 * 20 + 20;
+  const auto [cosine, sine] = directions(s, {center}, solver.fields(sources, 1), 1);
+  const auto angle = [&](int j) {
+    const double x = s.point(sources[j])[0] - s.point(center)[0], y = s.point(sources[j])[1] - s.point(center)[1];
+    return std::atan2(y, x);
+  };
+  for (int j = 1; j < 3; ++j) {
+    const double found = std::atan2(sine(0, j), cosine(0, j)) - std::atan2(sine(0, 0), cosine(0, 0));
+    EXPECT_GT(std::cos(found - (angle(j) - angle(0))), std::cos(0.06));
+  }
+}
+
+TEST(Sites, TablesAreConsistent) {
+  const Sites& s = scene().sites;
+  EXPECT_EQ(s.count(), 120);
+  EXPECT_TRUE(s.distance == s.distance.transpose());
+  for (int i = 0; i < s.samples; ++i) {
+    EXPECT_EQ(s.nearest_sample[i], i);
+    for (std::size_t k = 1; k < s.neighbors[i].size(); ++k)
+      EXPECT_LE(s.distance(i, s.neighbors[i][k - 1]), s.distance(i, s.neighbors[i][k]));
+  }
+  for (int k = 0; k < s.count(); ++k)
+    for (int j = 0; j < s.count(); ++j) EXPECT_NEAR(std::hypot(s.cosine(k, j), s.sine(k, j)), k == j ? 0 : 1, 1e-4);
+}
+
+TEST(JointCost, TheIdentityKeepsDistancesButNotOrientation) {
+  const JointProblem p = problem({});
+  SampleMap identity(scene().sites.samples);
+  for (std::size_t i = 0; i < identity.size(); ++i) identity[i] = static_cast<int>(i);
+  const CostTerms t = p.terms(identity);
+  EXPECT_EQ(t.distance, 0);
+  EXPECT_EQ(t.continuity, 0);
+  EXPECT_EQ(t.bijectivity, 0);
+  EXPECT_GT(t.orientation, 0.3);
+  EXPECT_EQ(p.displacement(identity), 0);
+  EXPECT_TRUE(std::isinf(p.evaluate(identity, 0))) << "the identity is no symmetry";
+}
+
+TEST(JointCost, IsTheWeightedSumOfItsTerms) {
+  JointOptions o;
+  o.distance_weight = 2, o.orientation_weight = 3, o.continuity_weight = 5, o.bijectivity_weight = 7;
+  const CostTerms t{0.1, 0.2, 0.3, 0.4, 0.5};
+  EXPECT_DOUBLE_EQ(problem(o).total(t), 0.2 + 0.6 + 1.5 + 0.4 + 3.5);
+}
+
+TEST(JointCost, ReferencesPullTheirSamplesToTheirImages) {
+  JointOptions with, without;
+  without.reference_weight = 0;
+  const References r = references_of(scene().shape);
+  const SampleMap map = random_map(3);
+  EXPECT_GT(problem(with, r).terms(map).unary, problem(without, r).terms(map).unary);
+}
+
+TEST(BestResponse, NeverRaisesTheDistanceCost) {
+  JointOptions o;
+  o.orientation_weight = o.continuity_weight = o.descriptor_weight = o.bijectivity_weight = 0;
+  const JointProblem p = problem(o);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SampleMap map = random_map(seed);
+    for (int sweep = 0; sweep < 4; ++sweep) {
+      const double before = p.cost(map);
+      const int changed = p.best_response(map, 0.25f);
+      EXPECT_LE(p.cost(map), before + 1e-7);
+      if (!changed) break;
+    }
+  }
+}
+
+TEST(BestResponse, MovesNoFartherThanItsRadius) {
+  const JointProblem p = problem({});
+  const SampleMap before = random_map(9);
+  SampleMap after = before;
+  p.best_response(after, 0.1f);
+  EXPECT_NE(after, before);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LE(scene().sites.distance(before[i], after[i]), 0.1f);
+}
+
+TEST(Variation, ChildrenAreMadeOfTheirParents) {
+  JointOptions o;
+  o.mutation_probability = 0;
+  const JointProblem p = problem(o);
+  Population<SampleMap> parents;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) parents.push_back({random_map(seed), 1.0 * seed, true});
+  Random random(5);
+  const auto children = p.vary(parents, z_scores(costs_of(parents)), random);
+  ASSERT_FALSE(children.empty());
+  for (const auto& child : children)
+    for (std::size_t i = 0; i < child.genome.size(); ++i)
+      EXPECT_TRUE(std::any_of(parents.begin(), parents.end(),
+                              [&](const auto& parent) { return parent.genome[i] == child.genome[i]; }));
+}
+
+TEST(Variation, MutationReachesEverySite) {
+  JointOptions o;
+  o.mutation_probability = 1;
+  const JointProblem p = problem(o);
+  Population<SampleMap> parents;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) parents.push_back({random_map(1), 1.0, true});
+  Random random(5);
+  std::set<int> seen;
+  for (const auto& child : p.vary(parents, z_scores(costs_of(parents)), random))
+    for (int site : child.genome) seen.insert(site);
+  EXPECT_EQ(static_cast<int>(seen.size()), scene().sites.count());
+}
+
+TEST(Replacement, AChildCompetesWithTheOneMostLikeIt) {
+  const JointProblem p = problem({});
+  const SampleMap a = random_map(1), b = random_map(2);
+  SampleMap like_b = b;
+  like_b[0] = like_b[0] == 0 ? 1 : 0;
+  const auto worse = p.replace({{a, 3, true}, {b, 1, true}}, {{like_b, 2, true}});
+  EXPECT_EQ(worse[0].genome, a) << "the worst stays: it is another niche";
+  EXPECT_EQ(worse[1].genome, b);
+  const auto better = p.replace({{a, 3, true}, {b, 1, true}}, {{like_b, 0.5, true}});
+  EXPECT_EQ(better[0].genome, a);
+  EXPECT_EQ(better[1].genome, like_b);
+}
+
+TEST(SearchJoint, BestCostNeverRisesAndTheSeedDecides) {
+  JointOptions o;
+  o.max_generations = 8;
+  const JointProblem p = problem(o, references_of(scene().shape));
+  Random first(3), second(3);
+  const JointResult a = search_joint(p, o, first, 1), b = search_joint(p, o, second, 4);
+  EXPECT_EQ(a.maps, b.maps);
+  for (std::size_t g = 1; g < a.log.size(); ++g) EXPECT_LE(a.log[g].best, a.log[g - 1].best);
+  for (std::size_t i = 1; i < a.costs.size(); ++i) EXPECT_LE(a.costs[i - 1], a.costs[i]);
+}
+
+class FindJointly : public testing::Test {
+ protected:
+  shapes::Symmetric shape_ = shapes::shuffled(shapes::bent(shapes::creature(4), 0.1), 3);
+};
+
+// Edges of this creature are about 0.04 units long.
+TEST_F(FindJointly, TruthByConstructionWithReferences) {
+  Options o;
+  o.references = references_of(shape_);
+  const Result r = find_symmetry(shape_.mesh, o);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+  EXPECT_EQ(r.matched, shape_.mesh.vertices());
+  EXPECT_EQ(r.side[shape_.pair[0]], 1) << "l is on the left";
+  EXPECT_EQ(r.side[shape_.pair[1]], -1);
+  ASSERT_FALSE(r.axis.empty());
+  EXPECT_EQ(r.axis[0].front().vertex, r.axis[0].back().vertex) << "the axis of a closed surface is closed";
+}
+
+TEST_F(FindJointly, TruthByConstructionWithoutReferences) {
+  const Result r = find_symmetry(shape_.mesh);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+}
+
+TEST_F(FindJointly, ThreadsChangeNothing) {
+  Options one, four;
+  one.threads = 1, four.threads = 4;
+  one.joint.max_generations = four.joint.max_generations = 3;
+  const Result a = find_symmetry(shape_.mesh, one), b = find_symmetry(shape_.mesh, four);
+  EXPECT_EQ(a.partner, b.partner);
+  EXPECT_EQ(a.fitness, b.fitness);
+  EXPECT_EQ(a.side, b.side);
+}
+
+TEST_F(FindJointly, PoseAndScaleOfTheWholeChangeNothing) {
+  const TriangleMesh moved = shapes::moved(shape_.mesh, 1e6);
+  const Result r = find_symmetry(moved);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+}
+
+TEST_F(FindJointly, StopsWhenAskedTo) {
+  std::atomic<bool> cancel{false};
+  Context context;
+  context.cancel = &cancel;
+  double last = -1;
+  context.progress = [&](double fraction, const char*) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    if (fraction > 0.3) cancel = true;
+  };
+  EXPECT_THROW(find_symmetry(shape_.mesh, {}, context), Cancelled);
+}
+
+TEST_F(FindJointly, OptionsOutOfRangeAreNamed) {
+  Options o;
+  o.joint.mutation_probability = std::nan("");
+  try {
+    find_symmetry(shape_.mesh, o);
+    FAIL();
+  } catch (const InvalidOption& e) {
+    EXPECT_NE(std::string(e.what()).find("mutation probability must be in [0, 1]"), std::string::npos);
+  }
+}
+
+TEST(FindRotation, ThePinwheelTurnsByAThird) {
+  const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/pinwheel_bend";
+  const TriangleMesh mesh = read_mesh(base + ".off");
+  std::ifstream in(base + ".refs");
+  int a0, a1, l, r;
+  ASSERT_TRUE(in >> a0 >> a1 >> l >> r);
+  Options o;
+  o.symmetry = SymmetryKind::rotation;
+  o.references.axis = {a0, a1};
+  o.references.pairs = {{l, r}};
+  const Result result = find_symmetry(mesh, o);
+  EXPECT_EQ(result.order, 3);
+  const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partner);
+  EXPECT_LT(e.mean, 0.05);
+}
+
+}  // namespace
+}  // namespace ga_symmetry
