@@ -1,6 +1,6 @@
 # Finds what a MeshLab plugin needs: the headers of the source tree that matches the MeshLab in use, its common library,
 # and Qt 5. Target: MeshLab::common. Variables: MeshLab_GENERATION (2020, 2022 or 2023), MeshLab_PLUGIN_SUBDIR (where
-# this MeshLab looks for plugins below its prefix), MeshLab_REASON (what is missing).
+# this MeshLab looks for plugins below its prefix), MeshLab_VERSION, MeshLab_REASON (what is missing and how to get it).
 #
 # Overrides: -DMESHLAB_SOURCE_DIR=  -DMESHLAB_COMMON_LIBRARY=  -DMESHLAB_DOUBLE=ON
 include(MeshLabSource)
@@ -9,18 +9,15 @@ set(MESHLAB_DOUBLE OFF CACHE BOOL "The MeshLab in use stores coordinates in doub
 
 set(MeshLab_REASON "")
 unset(MeshLab_INCLUDE_DIR CACHE)
-find_path(MeshLab_INCLUDE_DIR common/ml_document/mesh_model.h
+find_path(MeshLab_INCLUDE_DIR NAMES common/interfaces.h common/plugins/interfaces/filter_plugin.h
   HINTS ${GA_SYMMETRY_MESHLAB_SOURCE}/src NO_DEFAULT_PATH)
-if(NOT MeshLab_INCLUDE_DIR)
-  find_path(MeshLab_INCLUDE_DIR common/interfaces.h HINTS ${GA_SYMMETRY_MESHLAB_SOURCE}/src NO_DEFAULT_PATH)
-endif()
 find_library(MESHLAB_COMMON_LIBRARY NAMES meshlab-common PATH_SUFFIXES meshlab
   DOC "libmeshlab-common.so of the MeshLab in use")
 find_program(MESHLAB_EXECUTABLE meshlab)
 find_program(MESHLABSERVER_EXECUTABLE meshlabserver)
 mark_as_advanced(MESHLAB_EXECUTABLE MESHLABSERVER_EXECUTABLE)
 find_package(Qt5 5.9 COMPONENTS Core Widgets OpenGL Xml QUIET)
-find_path(MeshLab_GLEW_INCLUDE_DIR GL/glew.h HINTS ${MeshLab_INCLUDE_DIR}/external/glew-2.1.0/include)
+find_path(MeshLab_GLEW_INCLUDE_DIR GL/glew.h)
 mark_as_advanced(MeshLab_INCLUDE_DIR MeshLab_GLEW_INCLUDE_DIR)
 
 if(NOT MeshLab_INCLUDE_DIR)
@@ -46,22 +43,23 @@ if(MeshLab_INCLUDE_DIR)
     set(MeshLab_GENERATION 2020)
   endif()
   if(MESHLAB_DOUBLE AND MeshLab_GENERATION EQUAL 2020)
-    list(APPEND MeshLab_REASON "MESHLAB_DOUBLE=ON needs MeshLab 2022.02 or later; 2020.09 is always float")
+    list(APPEND MeshLab_REASON "MESHLAB_DOUBLE=OFF: MeshLab 2020.09 is always float")
   endif()
 
   # 2022.02 and later load only plugins that name their own version.
-  file(STRINGS ${GA_SYMMETRY_MESHLAB_SOURCE}/ML_VERSION _meshlab_version LIMIT_COUNT 1)
+  file(STRINGS ${GA_SYMMETRY_MESHLAB_SOURCE}/ML_VERSION MeshLab_VERSION LIMIT_COUNT 1)
 endif()
-list(JOIN MeshLab_REASON "; " MeshLab_REASON)
 
-if(MeshLab_REASON STREQUAL "")
-  set(_meshlab_complete TRUE)
+if(MeshLab_REASON)
+  set(MeshLab_FOUND FALSE)
+  list(JOIN MeshLab_REASON "\n  " MeshLab_REASON)
+  if(MeshLab_FIND_REQUIRED)
+    message(FATAL_ERROR "The MeshLab plugin needs:\n  ${MeshLab_REASON}")
+  endif()
 else()
-  set(_meshlab_complete FALSE)
+  set(MeshLab_FOUND TRUE)
+  message(STATUS "Found MeshLab: ${MESHLAB_COMMON_LIBRARY} (headers of ${MeshLab_VERSION})")
 endif()
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(MeshLab REQUIRED_VARS MESHLAB_COMMON_LIBRARY MeshLab_INCLUDE_DIR _meshlab_complete
-  VERSION_VAR _meshlab_version REASON_FAILURE_MESSAGE "missing: ${MeshLab_REASON}")
 
 if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
   if(CMAKE_LIBRARY_ARCHITECTURE)
@@ -83,7 +81,7 @@ if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
     MESHLAB_SCALAR=$<IF:$<BOOL:${MESHLAB_DOUBLE}>,double,float>)
   if(NOT MeshLab_GENERATION EQUAL 2020)
     target_compile_definitions(MeshLab::common INTERFACE
-      MESHLAB_VERSION=${_meshlab_version}$<$<BOOL:${MESHLAB_DOUBLE}>:d>
+      MESHLAB_VERSION=${MeshLab_VERSION}$<$<BOOL:${MESHLAB_DOUBLE}>:d>
       $<$<BOOL:${MESHLAB_DOUBLE}>:MESHLAB_BUILD_WITH_DOUBLE_SCALAR>)
   endif()
 endif()
