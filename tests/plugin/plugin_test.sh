@@ -243,6 +243,19 @@ case $case in
     serve "$sample"
     expect_refusal "partners.xyz"
     ;;
+  scripts)
+    # The filter scripts beside the samples are what make_filter_script prints today.
+    for given in "$(dirname "$sample")"/*.mlx; do
+      read -r a0 a1 l r < "${given%.mlx}.refs"
+      # A selection has no order, so it cannot say which way round a rotation goes.
+      case $given in
+        */trefoil* | */pinwheel*) "$make_filter_script" "references=$a0,$a1,$l,$r" symmetry=1 ;;
+        *) "$make_filter_script" --select "$a0,$a1,$l,$r" ;;
+      esac > now.mlx
+      cmp "$given" now.mlx || { echo "$given is out of date"; touch stale; }
+    done
+    [ ! -e stale ] || exit 1
+    ;;
   *)
     echo "no such case: $case"
     exit 2
