@@ -200,7 +200,7 @@ FilterOutputs apply(const FilterRun& run) {
   set_attribute(m, "symmetry_fitness", result.fitness);
   set_attribute(m, "symmetry_side", result.side);
   model->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-  const auto top = static_cast<float>(ramp_top(result));
+  const auto top = static_cast<float>(ramp_top(result.partner, result.fitness));
   for (std::size_t i = 0; i < m.vert.size(); ++i) {
     m.vert[i].Q() = static_cast<Scalarm>(result.fitness[i]);
     m.vert[i].C() = vcg::Color4b::Blue;

@@ -25,8 +25,10 @@
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/evaluation.h"
 #include "ga_symmetry/export.h"
+#include "ga_symmetry/partners.h"
 #include "ga_symmetry/result.h"
 #include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/value_table.h"
 #include "shapes.h"
 
 namespace ga_symmetry {
@@ -349,7 +351,35 @@ TEST_F(WriteResult, CsvContract) {
     EXPECT_EQ(side, result.side[v]);
   }
   EXPECT_FALSE(std::getline(in, line)) << "one row too many";
-  EXPECT_EQ(read_partners(path("a.csv"), mesh.vertices()), result.partner);
+  const Partners back = read_partners(path("a.csv"), mesh);
+  EXPECT_EQ(back.partner, result.partner);
+  EXPECT_EQ(back.fitness, result.fitness);
+  EXPECT_EQ(back.side, result.side);
+}
+
+TEST_F(WriteResult, JsonIsReadBackOntoItsMeshOnly) {
+  TriangleMesh mesh = shapes::sphere();
+  const Result result = made_up(mesh);
+  write_result(path("a.json"), mesh, result);
+  const Partners back = read_partners(path("a.json"), mesh);
+  EXPECT_EQ(back.partner, result.partner);
+  EXPECT_EQ(back.fitness, result.fitness);
+  EXPECT_EQ(back.side, result.side);
+  const auto refusal = [&](const std::string& file, const TriangleMesh& other) {
+    try {
+      read_partners(path(file), other);
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const std::string larger = refusal("a.json", shapes::sphere(12, 16));
+  EXPECT_NE(larger.find("178 vertices"), std::string::npos) << larger;
+  mesh.position[4] += 0.01;
+  EXPECT_NE(refusal("a.json", mesh).find("checksum"), std::string::npos);
+  const std::string whole = read(path("a.json"));
+  for (const std::string& text : {std::string("{}"), std::string("[1]"), std::string("{"), whole.substr(0, 300)})
+    EXPECT_NE(refusal(fs::path(write("b.json", text)).filename(), mesh), "accepted") << text;
 }
 
 TEST_F(WriteResult, JsonHoldsEverythingButSeconds) {
@@ -412,7 +442,7 @@ TEST_F(WriteResult, PlyIsReadByVcglib) {
   ASSERT_EQ(vcg::tri::io::ImporterPLY<FileMesh>::Open(m, path("a.ply").c_str(), mask), 0);
   EXPECT_TRUE(mask & vcg::tri::io::Mask::IOM_VERTQUALITY);
   EXPECT_TRUE(mask & vcg::tri::io::Mask::IOM_VERTCOLOR);
-  const double top = ramp_top(result);
+  const double top = ramp_top(result.partner, result.fitness);
   for (int v = 0; v < mesh.vertices(); ++v) {
     ASSERT_EQ(m.vert[v].cQ(), static_cast<float>(result.fitness[v]));
     const vcg::Color4b color = m.vert[v].cC();
@@ -453,7 +483,7 @@ TEST_F(WriteResult, PerfectFitnessIsBlue) {
   ASSERT_EQ(vcg::tri::io::ImporterPLY<FileMesh>::Open(m, path("a.ply").c_str(), mask), 0);
   for (const FileVertex& v : m.vert) ASSERT_EQ(v.cC(), vcg::Color4b(vcg::Color4b::Blue));
   std::fill(result.partner.begin(), result.partner.end(), -1);
-  EXPECT_EQ(ramp_top(result), 0);
+  EXPECT_EQ(ramp_top(result.partner, result.fitness), 0);
   EXPECT_NO_THROW(write_result(path("a.ply"), mesh, result));
 }
 
@@ -505,7 +535,7 @@ TEST_F(WriteResult, ReplacesAndFollowsLinks) {
   fs::create_symlink("a.csv", path("link.csv"));
   write_result(path("link.csv"), mesh, made_up(mesh));
   EXPECT_TRUE(fs::is_symlink(path("link.csv")));
-  EXPECT_EQ(read_partners(path("a.csv"), mesh.vertices()).size(), static_cast<std::size_t>(mesh.vertices()));
+  EXPECT_EQ(read_partners(path("a.csv"), mesh).partner.size(), static_cast<std::size_t>(mesh.vertices()));
   EXPECT_EQ(names(), (std::vector<std::string>{"a.csv", "link.csv"}));
 }
 
@@ -625,12 +655,28 @@ TEST_F(Evaluate, ReadsTruthAndPartners) {
   EXPECT_EQ(read_truth(write("t", "0 2\r\n\n1\t1\n2 0")), (Truth{{0, 2}, {1, 1}, {2, 0}}));
   for (const char* bad : {"0\n", "0 1 2\n", "a b\n", "0 1.5\n"}) EXPECT_THROW(read_truth(write("t", bad)), FileError);
   EXPECT_THROW(read_truth(path("missing")), FileError);
-  const std::string rows = "\n0,2,.5\n2,0,.5\n1,-1,0\n";
-  EXPECT_EQ(read_partners(write("p", "vertex,partner,fitness" + rows), 3), (std::vector<int>{2, -1, 0}));
-  EXPECT_EQ(read_partners(write("p", "fitness, partner, vertex\r\n0,1,0\r\n0,0,1\r\n"), 2), (std::vector<int>{1, 0}));
-  for (const char* bad : {"vertex,other\n0,1\n1,0\n", "vertex,partner\n0,1\n", "vertex,partner\n0,1\n0,1\n",
-                          "vertex,partner\n0,1\n1,2\n", "vertex,partner\n0,1\n1\n", "vertex,partner\n0,1\n1,x\n", ""})
-    EXPECT_THROW(read_partners(write("p", bad), 2), FileError) << bad;
+}
+
+TEST_F(Evaluate, ReadsPartnersAndTables) {
+  const auto points = [](int n) { return TriangleMesh{std::vector<double>(3 * n), {}}; };
+  const Partners some = read_partners(write("p", "vertex,partner,fitness\n0,2,.5\n2,0,.5\n1,-1,0\n"), points(3));
+  EXPECT_EQ(some.partner, (std::vector<int>{2, -1, 0}));
+  EXPECT_EQ(some.fitness, (std::vector<double>{.5, 0, .5}));
+  EXPECT_TRUE(some.side.empty());
+  EXPECT_EQ(read_partners(write("p", "fitness, partner, name, vertex\r\n0,1,a,0\r\n0,0,b,1\r\n"), points(2)).partner,
+            (std::vector<int>{1, 0}));
+  for (const char* bad :
+       {"vertex,other\n0,1\n1,0\n", "vertex,partner\n0,1\n", "vertex,partner\n0,1\n0,1\n", "vertex,partner\n0,1\n1,2\n",
+        "vertex,partner\n0,1\n1\n", "vertex,partner\n0,1\n1,x\n", "vertex,partner\n0,1\n1,0.5\n",
+        "vertex,partner,side\n0,1,0\n1,0,2\n", "vertex,partner,fitness\n0,1,0\n1,0,-1\n",
+        "vertex,partner,fitness\n0,1,0\n1,0,nan\n", "partner\n1\n0\n", ""})
+    EXPECT_THROW(read_partners(write("p", bad), points(2)), FileError) << bad;
+
+  const ValueTable table = read_value_table(write("t", "w,vertex,u\n1,1,-2e3\n0.25,0,4\n"), 2);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"w", "u"}));
+  EXPECT_EQ(table.columns, (std::vector<std::vector<double>>{{.25, 1}, {4, -2000}}));
+  EXPECT_THROW(read_value_table(write("t", "vertex,w\n0,1\n1,x\n"), 2), FileError);
+  EXPECT_THROW(read_value_table(write("t", "vertex,w\n0,1\n2,1\n"), 2), FileError);
 }
 
 TEST_F(Evaluate, TruthOfMeasuredMeshes) {

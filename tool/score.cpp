@@ -18,7 +18,9 @@ void add_score(CLI::App& app, Run& chosen) {
   score.add_option("TRUTH", arguments->truth, "Lines `v w`: the partner of vertex v is vertex w")
       ->required()
       ->type_name("");
-  score.add_option("RESULT", arguments->result, "CSV with the columns vertex and partner")->required()->type_name("");
+  score.add_option("RESULT", arguments->result, "CSV with the columns vertex and partner, or JSON")
+      ->required()
+      ->type_name("");
   score.footer(
       "Prints the mean error (geodesic, over sqrt(area)), the share of errors below 0.1262 (corr), the share of\n"
       "vertices with a partner (coverage) and of those whose partner's partner is near (involution).\n\n"
@@ -27,7 +29,7 @@ void add_score(CLI::App& app, Run& chosen) {
     chosen = [arguments](const Context&) {
       const TriangleMesh mesh = read_mesh(arguments->mesh);
       const Evaluation e =
-          evaluate_partners(mesh, read_truth(arguments->truth), read_partners(arguments->result, mesh.vertices()));
+          evaluate_partners(mesh, read_truth(arguments->truth), read_partners(arguments->result, mesh).partner);
       std::printf("mean %.4f corr %.4f coverage %.4f involution %.4f lines %zu\n", e.mean, e.corr, e.coverage,
                   e.involution, e.lines);
     };

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/geodesics.h"
@@ -34,17 +32,6 @@ std::vector<double> distances(const Surface& surface, const std::vector<std::arr
     out[i] = field[worker][to] / surface.unit();
   });
   return out;
-}
-
-std::string read_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw FileError("cannot read " + path + ": it is missing, empty or not a file");
-  return text.str();
-}
-
-[[noreturn]] void fail(const std::string& path, long line, const std::string& why) {
-  throw FileError("cannot read " + path + ": line " + std::to_string(line) + ": " + why);
 }
 
 }  // namespace
@@ -96,47 +83,22 @@ Evaluation evaluate_partners(const TriangleMesh& mesh, const Truth& truth, const
 }
 
 Truth read_truth(const std::string& path) {
-  const std::string text = read_text(path);
-  Truth truth;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    const std::vector<std::string_view> words = split(line);
-    if (words.empty()) continue;
-    const auto v = parse_number<int>(words[0]);
-    const auto w = words.size() == 2 ? parse_number<int>(words[1]) : std::nullopt;
-    if (!v || !w) fail(path, lines.number(), "expected two vertices `v w`");
-    truth.push_back({*v, *w});
+  try {
+    const std::string text = read_text(path);
+    Truth truth;
+    LineReader lines(text);
+    for (std::string_view line; lines.next(line);) {
+      const std::vector<std::string_view> words = split(line);
+      if (words.empty()) continue;
+      const auto v = parse_number<int>(words[0]);
+      const auto w = words.size() == 2 ? parse_number<int>(words[1]) : std::nullopt;
+      if (!v || !w) throw FileError("line " + std::to_string(lines.number()) + ": expected two vertices `v w`");
+      truth.push_back({*v, *w});
+    }
+    return truth;
+  } catch (const FileError& error) {
+    throw FileError("cannot read " + path + ": " + error.what());
   }
-  return truth;
-}
-
-std::vector<int> read_partners(const std::string& path, int vertices) {
-  const std::string text = read_text(path);
-  LineReader lines(text);
-  std::string_view line;
-  lines.next(line);
-  const std::vector<std::string_view> header = split(line, ", \t\r");
-  const auto column = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
-  };
-  const std::size_t vertex_at = column("vertex"), partner_at = column("partner");
-  if (std::max(vertex_at, partner_at) >= header.size())
-    fail(path, 1, "the header must name the columns vertex and partner");
-  constexpr int kMissing = -2;
-  std::vector<int> partner(static_cast<std::size_t>(vertices), kMissing);
-  while (lines.next(line)) {
-    const std::vector<std::string_view> cells = split(line, ", \t\r");
-    if (cells.empty()) continue;
-    if (cells.size() != header.size()) fail(path, lines.number(), "it has not as many cells as the header");
-    const auto v = parse_number<int>(cells[vertex_at]), w = parse_number<int>(cells[partner_at]);
-    if (!v || !w || *v < 0 || *v >= vertices || *w < -1 || *w >= vertices)
-      fail(path, lines.number(), "vertex and partner must be vertices of the mesh (partner -1 = none)");
-    if (partner[*v] != kMissing) fail(path, lines.number(), "vertex " + std::to_string(*v) + " is listed twice");
-    partner[*v] = *w;
-  }
-  if (const auto missing = std::count(partner.begin(), partner.end(), kMissing))
-    throw FileError("cannot read " + path + ": " + std::to_string(missing) + " vertices are missing");
-  return partner;
 }
 
 }  // namespace ga_symmetry

@@ -2,12 +2,25 @@
 #pragma once
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "ga_symmetry/errors.h"
+
 namespace ga_symmetry {
+
+/// The whole file. @throws FileError  the reason, without the file's name
+inline std::string read_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) throw FileError("it is missing, empty or not a file");
+  return text.str();
+}
 
 /// The whole word as a number; a leading + is allowed. Nothing if it is not one or does not fit.
 template <class Number>

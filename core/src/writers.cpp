@@ -116,20 +116,12 @@ Json to_json(const SurfacePoint& p) {
   return {p.vertex[0], p.vertex[1], p.vertex[2], p.weight[0], p.weight[1], p.weight[2]};
 }
 
-std::string hexadecimal(std::uint64_t value) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-  return digits;
-}
-
 // All of Result but the seconds, which would make the files of two equal runs differ.
 std::string to_json(const TriangleMesh& mesh, const Result& result) {
   Json json;
   json["format"] = "ga_symmetry result";
   json["version"] = 1;
-  json["mesh"] = {{"vertices", mesh.vertices()},
-                  {"triangles", mesh.triangles()},
-                  {"checksum", "fnv1a64:" + hexadecimal(mesh_checksum(mesh))}};
+  json["mesh"] = {{"vertices", mesh.vertices()}, {"triangles", mesh.triangles()}, {"checksum", checksum_text(mesh)}};
   json["kind"] = to_string(result.kind);
   json["order"] = result.order;
   json["seed"] = result.seed;
@@ -205,7 +197,7 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
   PlyMesh out;
   vcg::tri::Allocator<PlyMesh>::AddVertices(out, mesh.vertices());
   vcg::tri::Allocator<PlyMesh>::AddFaces(out, mesh.triangles());
-  const double top = ramp_top(result);
+  const double top = ramp_top(result.partner, result.fitness);
   for (std::size_t v = 0; v < out.vert.size(); ++v) {
     const double* p = &mesh.position[3 * v];
     out.vert[v].P() = {p[0], p[1], p[2]};
@@ -237,13 +229,13 @@ void check_fits(const TriangleMesh& mesh, const Result& result) {
 
 }  // namespace
 
-double ramp_top(const Result& result) {
-  std::vector<double> fitness;
-  for (std::size_t v = 0; v < result.partner.size(); ++v)
-    if (result.partner[v] >= 0) fitness.push_back(result.fitness[v]);
-  if (fitness.empty()) return 0;
-  const auto at = fitness.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(fitness.size() - 1));
-  std::nth_element(fitness.begin(), at, fitness.end());
+double ramp_top(const std::vector<int>& partner, const std::vector<double>& fitness) {
+  std::vector<double> known;
+  for (std::size_t v = 0; v < partner.size(); ++v)
+    if (partner[v] >= 0) known.push_back(fitness[v]);
+  if (known.empty()) return 0;
+  const auto at = known.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(known.size() - 1));
+  std::nth_element(known.begin(), at, known.end());
   return *at;
 }
 
@@ -262,6 +254,19 @@ std::uint64_t mesh_checksum(const TriangleMesh& mesh) {
   }
   for (int v : mesh.triangle) add(static_cast<std::uint32_t>(v), 4);
   return hash;
+}
+
+std::string checksum_text(const TriangleMesh& mesh) {
+  char text[32];
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(mesh_checksum(mesh)));
+  return text;
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  PendingFile file(path);
+  file.write(bytes);
+  file.sync();
+  file.commit();
 }
 
 void check_result_path(const std::string& path) {

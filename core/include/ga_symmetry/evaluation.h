@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/partners.h"
 #include "ga_symmetry/triangle_mesh.h"
 
 namespace ga_symmetry {
@@ -37,9 +38,5 @@ Evaluation evaluate_partners(const TriangleMesh& mesh, const Truth& truth, const
 
 /// Reads lines `v w`, 0-based. @throws FileError
 Truth read_truth(const std::string& path);
-
-/// Reads the partners from a CSV whose header names at least `vertex` and `partner`; every vertex in [0, vertices)
-/// once, in any order. @throws FileError
-std::vector<int> read_partners(const std::string& path, int vertices);
 
 }  // namespace ga_symmetry

@@ -1,0 +1,36 @@
+// Values at the vertices - a selection, colours, weights - carried across a symmetry.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "ga_symmetry/partners.h"
+
+namespace ga_symmetry {
+
+enum class Transfer { left_to_right, right_to_left, swap, average };
+
+struct TransferPlan {
+  std::vector<int> source;  ///< per vertex: the vertex whose value it takes or is averaged with; -1 = stays as it is
+  int changed = 0;          ///< vertices with a source
+  int without_partner = 0;  ///< that should have one, but their partner is missing or on the side that receives
+};
+
+/// Who takes whose value. To one side: every vertex of that side takes its partner's. `swap` and `average`: every
+/// vertex.
+/// @throws InvalidOption  for left_to_right and right_to_left where no vertex has a side, as after a rotation
+TransferPlan plan_transfer(const Partners& partners, Transfer transfer);
+
+/// @param values  per vertex
+/// @param combine  (own, source's) -> new value
+template <class Value, class Combine>
+std::vector<Value> transferred(const std::vector<Value>& values, const TransferPlan& plan, const Combine& combine) {
+  std::vector<Value> out = values;
+  for (std::size_t v = 0; v < out.size(); ++v)
+    if (plan.source[v] >= 0) out[v] = combine(values[v], values[static_cast<std::size_t>(plan.source[v])]);
+  return out;
+}
+
+/// Numbers: the source's, or for `average` the mean of both.
+std::vector<double> transferred(const std::vector<double>& values, const TransferPlan& plan, Transfer transfer);
+
+}  // namespace ga_symmetry

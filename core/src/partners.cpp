@@ -1,0 +1,122 @@
+#include "ga_symmetry/partners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/export.h"
+#include "ga_symmetry/random.h"
+#include "ga_symmetry/value_table.h"
+#include "text_scan.h"
+
+namespace ga_symmetry {
+namespace {
+
+Partners from_json(const std::string& text, const TriangleMesh& mesh) {
+  const auto json = nlohmann::json::parse(text);
+  if (json.value("format", "") != "ga_symmetry result" || json.value("version", 0) != 1)
+    throw FileError("it is not a result of ga_symmetry, version 1");
+  const auto& made_for = json.at("mesh");
+  if (made_for.at("vertices") != mesh.vertices() || made_for.at("triangles") != mesh.triangles())
+    throw FileError("it is of a mesh of " + made_for.at("vertices").dump() + " vertices and " +
+                    made_for.at("triangles").dump() + " triangles, this one has " + std::to_string(mesh.vertices()) +
+                    " and " + std::to_string(mesh.triangles()) + ": open the mesh it was made for");
+  if (made_for.at("checksum") != checksum_text(mesh))
+    throw FileError(
+        "it is of another mesh of the same size, or vertices have been moved since (the checksum differs): open the "
+        "mesh it was made for, or use the .csv if only the pose has changed");
+  return {json.at("partner"), json.at("fitness"), json.at("side")};
+}
+
+Partners from_csv(const std::string& path, int vertices) {
+  Partners out;
+  ValueTable table = read_value_table(path, vertices, {"partner", "fitness", "side"});
+  const auto refuse = [&](std::size_t v, const char* why) {
+    throw FileError("cannot read " + path + ": vertex " + std::to_string(v) + ": " + why);
+  };
+  const auto integers = [&](const std::vector<double>& column, int lowest, int end, const char* rule) {
+    std::vector<int> values;
+    for (const double value : column) {
+      if (!(value >= lowest && value < end && value == std::floor(value))) refuse(values.size(), rule);
+      values.push_back(static_cast<int>(value));
+    }
+    return values;
+  };
+  for (std::size_t i = 0; i < table.names.size(); ++i) {
+    std::vector<double>& column = table.columns[i];
+    if (table.names[i] == "partner") {
+      out.partner = integers(column, -1, vertices, "the partner must be a vertex of the mesh, or -1 for none");
+    } else if (table.names[i] == "side") {
+      out.side = integers(column, -1, 2, "the side must be -1, 0 or 1");
+    } else {
+      for (std::size_t v = 0; v < column.size(); ++v)
+        if (!(column[v] >= 0)) refuse(v, "the fitness must be at least 0");
+      out.fitness = std::move(column);
+    }
+  }
+  if (out.partner.empty()) throw FileError("cannot read " + path + ": the header must name the column partner");
+  return out;
+}
+
+double median(std::vector<double> values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// Partners of neighbours are neighbours, on any shape; in a table of another mesh they are strangers.
+bool keeps_neighbours(const std::vector<int>& partner, const TriangleMesh& mesh) {
+  constexpr int kTrials = 1000;
+  std::vector<int> corners;  // whose next corner has a partner, too
+  for (int c = 0; c < static_cast<int>(mesh.triangle.size()); ++c)
+    if (partner[mesh.triangle[c]] >= 0 && partner[mesh.triangle[c % 3 == 2 ? c - 2 : c + 1]] >= 0) corners.push_back(c);
+  if (corners.empty()) return true;
+  const auto apart = [&](int a, int b) {
+    const double *p = &mesh.position[3 * static_cast<std::size_t>(partner[a])],
+                 *q = &mesh.position[3 * static_cast<std::size_t>(partner[b])];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  Random random(1);
+  std::vector<double> neighbours, strangers;
+  for (int i = 0; i < kTrials; ++i) {
+    const int c = corners[draw_below(random, corners.size())], d = corners[draw_below(random, corners.size())];
+    neighbours.push_back(apart(mesh.triangle[c], mesh.triangle[c % 3 == 2 ? c - 2 : c + 1]));
+    strangers.push_back(apart(mesh.triangle[c], mesh.triangle[d]));
+  }
+  return median(neighbours) <= 0.5 * median(strangers);
+}
+
+}  // namespace
+
+Partners read_partners(const std::string& path, const TriangleMesh& mesh) {
+  if (std::filesystem::path(path).extension() != ".json") return from_csv(path, mesh.vertices());
+  try {
+    return from_json(read_text(path), mesh);
+  } catch (const nlohmann::json::exception&) {
+    throw FileError("cannot read " + path + ": it is damaged or not a result of ga_symmetry");
+  } catch (const FileError& error) {
+    throw FileError("cannot read " + path + ": " + error.what());
+  }
+}
+
+void check_partners(const Partners& p, const TriangleMesh& mesh) {
+  const auto n = static_cast<std::size_t>(mesh.vertices());
+  if (p.partner.size() != n || p.fitness.size() != n || p.side.size() != n)
+    throw InvalidOption("there must be a partner, a fitness and a side for each of the mesh's " + std::to_string(n) +
+                        " vertices, got " + std::to_string(p.partner.size()) + ", " + std::to_string(p.fitness.size()) +
+                        " and " + std::to_string(p.side.size()) + ": find the partners of this mesh again");
+  for (std::size_t v = 0; v < n; ++v)
+    if (p.partner[v] < -1 || p.partner[v] >= mesh.vertices() || !(p.fitness[v] >= 0) || std::abs(p.side[v]) > 1)
+      throw InvalidOption("vertex " + std::to_string(v) + " has the partner " + std::to_string(p.partner[v]) +
+                          ", the fitness " + std::to_string(p.fitness[v]) + " and the side " +
+                          std::to_string(p.side[v]) + ", which cannot be: find the partners of this mesh again");
+  if (!keeps_neighbours(p.partner, mesh))
+    throw InvalidOption(
+        "the partners are not of this mesh: those of neighbours lie as far apart as if drawn at random; find the "
+        "partners of this mesh again");
+}
+
+}  // namespace ga_symmetry
