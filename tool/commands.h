@@ -12,6 +12,11 @@ using Run = std::function<void(const Context&)>;
 
 /// Registers the subcommand; `chosen` becomes its Run when the user names it.
 void add_find(CLI::App& app, Run& chosen);
+void add_pairs(CLI::App& app, Run& chosen);
+void add_axis(CLI::App& app, Run& chosen);
+void add_mirror(CLI::App& app, Run& chosen);
+void add_asymmetry(CLI::App& app, Run& chosen);
+void add_samples(CLI::App& app, Run& chosen);
 void add_score(CLI::App& app, Run& chosen);
 
 }  // namespace ga_symmetry::tool

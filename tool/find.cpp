@@ -1,12 +1,10 @@
 // ga_symmetry find: a mesh in, its partners out.
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "ga_symmetry/export.h"
 #include "ga_symmetry/symmetry.h"
@@ -30,31 +28,6 @@ constexpr const char* kExamples =
     "\n"
     "Without -o a summary is printed and no file is written.\n"
     "Exit status: 0 done, 1 could not (no file is written), 2 wrong usage, 130 interrupted.";
-
-class ProgressBar {
- public:
-  explicit ProgressBar(bool shown) : shown_(shown) {}
-  ~ProgressBar() { clear(); }
-  void show(double fraction, const char* stage) {
-    const int percent = static_cast<int>(100 * fraction);
-    if (!shown_ || (percent == percent_ && stage == stage_)) return;
-    percent_ = percent, stage_ = stage;
-    constexpr int kWidth = 30;
-    std::string bar(static_cast<std::size_t>(kWidth * fraction), '#');
-    bar.resize(kWidth, '.');
-    std::fprintf(stderr, "\r\033[K[%s] %3d%% %s", bar.c_str(), percent, stage);
-    std::fflush(stderr);
-  }
-  void clear() {
-    if (percent_ >= 0) std::fputs("\r\033[K", stderr);
-    percent_ = -1;
-  }
-
- private:
-  bool shown_;
-  int percent_ = -1;
-  std::string stage_;
-};
 
 std::string join(const References& references) {
   std::string out;
@@ -86,9 +59,8 @@ void run(const Arguments& arguments, const Context& interrupt) {
   options.references = parse_references(arguments.references);
   for (const std::string& path : arguments.outputs) check_result_path(path);
 
-  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO));
-  Context context = interrupt;
-  context.progress = [&](double fraction, const char* stage) { bar.show(fraction, stage); };
+  ProgressBar bar(!arguments.quiet);
+  const Context context = bar.watch(interrupt);
   context.report(0, "reading");
   const TriangleMesh mesh = read_mesh(arguments.mesh);
   const Result result = find_symmetry(mesh, options, context);
@@ -99,22 +71,6 @@ void run(const Arguments& arguments, const Context& interrupt) {
     for (const std::string& warning : result.warnings)
       std::fprintf(stderr, "ga_symmetry: warning: %s\n", warning.c_str());
   if (arguments.outputs.empty()) print_summary(result);
-}
-
-template <class Value>
-void add_choice(CLI::App& app, const std::string& name, Value& value,
-                const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
-  std::string names, current;
-  for (const auto& [text, choice] : choices) {
-    names += (names.empty() ? "" : "|") + text;
-    if (choice == value) current = text;
-  }
-  const auto choose = [=, &value](const std::string& given) {
-    for (const auto& [text, choice] : choices)
-      if (text == given) return static_cast<void>(value = choice);
-    throw CLI::ValidationError(name, "must be " + names + ", got " + given);
-  };
-  app.add_option_function<std::string>(name, choose, help + " [" + current + "]")->type_name(names);
 }
 
 }  // namespace

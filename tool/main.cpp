@@ -39,10 +39,12 @@ int main(int argc, char** argv) {
                "ga_symmetry");
   app.set_version_flag("--version", "ga_symmetry " GA_SYMMETRY_VERSION);
   app.require_subcommand(1);
-  app.footer("Example:\n  ga_symmetry find body.ply -o body.csv\n`ga_symmetry find --help` lists all options.");
+  app.footer(
+      "Example:\n  ga_symmetry find body.ply -o body.csv\n`ga_symmetry COMMAND --help` lists a command's options.");
   tool::Run run;
-  tool::add_find(app, run);
-  tool::add_score(app, run);
+  for (const auto add : {tool::add_find, tool::add_pairs, tool::add_axis, tool::add_mirror, tool::add_asymmetry,
+                         tool::add_samples, tool::add_score})
+    add(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -54,6 +56,8 @@ int main(int argc, char** argv) {
   context.cancel = &interrupted;
   try {
     run(context);
+  } catch (const CLI::ParseError& error) {
+    return fail(kUsage, error.what());
   } catch (const Cancelled&) {
     return fail(kInterrupted, "interrupted, nothing was written");
   } catch (const InvalidOption& error) {

@@ -1,0 +1,67 @@
+// ga_symmetry mirror: a table of values at the vertices, carried to the other side.
+#include "ga_symmetry/mirror.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "arguments.h"
+#include "commands.h"
+#include "ga_symmetry/value_table.h"
+#include "table.h"
+
+namespace ga_symmetry::tool {
+namespace {
+
+struct Arguments {
+  std::string mesh, partners, values, output;
+  Transfer transfer = Transfer::left_to_right;
+};
+
+void run(const Arguments& a) {
+  if (wants_drawing(a.output)) throw CLI::ValidationError("--output", "must end in .csv, got " + a.output);
+  const TriangleMesh mesh = read_mesh(a.mesh);
+  const TransferPlan plan = plan_transfer(read_fitting_partners(a.partners, mesh), a.transfer);
+  ValueTable values = read_value_table(a.values, mesh.vertices());
+  for (auto& column : values.columns) column = transferred(column, plan, a.transfer);
+  std::string header = "vertex";
+  for (const std::string& name : values.names) header += "," + name;
+  Table table(header);
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    table.cell(v);
+    for (const auto& column : values.columns) table.cell(column[v]);
+    table.end_row();
+  }
+  deliver(a.output, table.text());
+  std::fprintf(stderr, "ga_symmetry: %d vertices changed, %d kept their values for want of a partner\n", plan.changed,
+               plan.without_partner);
+}
+
+}  // namespace
+
+void add_mirror(CLI::App& app, Run& chosen) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("mirror", "Carry weights or other values to the other side");
+  add_mesh(command, arguments->mesh);
+  add_partners(command, arguments->partners);
+  command
+      .add_option("VALUES", arguments->values, "CSV with the column vertex and columns of numbers, every vertex once")
+      ->required()
+      ->type_name("");
+  add_choice(command, "--direction", arguments->transfer,
+             {{"left-to-right", Transfer::left_to_right},
+              {"right-to-left", Transfer::right_to_left},
+              {"swap", Transfer::swap},
+              {"average", Transfer::average}},
+             "Who takes whose values");
+  add_output(command, arguments->output, "Result: .csv with the same columns");
+  command.footer(
+      "A vertex without a partner keeps its values. Left is where the side is +1 in PARTNERS.\n\n"
+      "Examples:\n"
+      "  ga_symmetry find body.ply -o body.csv\n"
+      "  ga_symmetry mirror body.ply body.csv weights.csv -o mirrored.csv\n"
+      "  ga_symmetry mirror body.ply body.csv weights.csv --direction average -o even.csv");
+  command.callback([arguments, &chosen] { chosen = [arguments](const Context&) { run(*arguments); }; });
+}
+
+}  // namespace ga_symmetry::tool

@@ -1,0 +1,53 @@
+// ga_symmetry samples: evenly spaced vertices and the patches around them.
+#include <memory>
+#include <string>
+
+#include "arguments.h"
+#include "commands.h"
+#include "ga_symmetry/sampling.h"
+#include "table.h"
+
+namespace ga_symmetry::tool {
+namespace {
+
+struct Arguments {
+  std::string mesh, output;
+  int count = 100, threads = 0;
+};
+
+void run(const Arguments& a, const Context& context) {
+  const bool drawing = wants_drawing(a.output);
+  const TriangleMesh mesh = read_mesh(a.mesh);
+  const Surface surface = make_surface(mesh);
+  const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), a.count, a.threads, context);
+  const std::vector<int> patch = sample_patches(samples);
+  Table table("vertex,patch,sample");
+  std::vector<double> quality(static_cast<std::size_t>(mesh.vertices()), -1.0);
+  for (int v = 0; v < surface.vertices(); ++v) {
+    const int vertex = surface.mesh_vertex[v];
+    table.cell(vertex).cell(patch[v]).cell(surface.mesh_vertex[samples.vertex[patch[v]]]).end_row();
+    quality[vertex] = patch[v];
+  }
+  deliver(a.output, drawing ? to_ply({mesh.position, quality, {}, mesh.triangle}) : table.text());
+}
+
+}  // namespace
+
+void add_samples(CLI::App& app, Run& chosen) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("samples", "Choose evenly spaced vertices, by geodesic distance");
+  add_mesh(command, arguments->mesh);
+  command.add_option("--count", arguments->count, "Samples, at least 1")->capture_default_str();
+  add_threads(command, arguments->threads);
+  add_output(command, arguments->output,
+             "Result: .csv (vertex,patch,sample: its nearest sample's number and vertex) or .ply (the mesh with the "
+             "patch as quality)");
+  command.footer(
+      "The first k samples are the same whatever the count.\n\n"
+      "Examples:\n"
+      "  ga_symmetry samples body.ply --count 200 -o patches.ply\n"
+      "  ga_symmetry samples body.ply | awk -F, '$1 == $3'      the samples only");
+  command.callback([arguments, &chosen] { chosen = [arguments](const Context& c) { run(*arguments, c); }; });
+}
+
+}  // namespace ga_symmetry::tool
