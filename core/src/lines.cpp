@@ -12,9 +12,9 @@
 namespace ga_symmetry {
 namespace {
 
-constexpr int kLandmarks = 60;  // pairs whose distances place the axis
+constexpr int kLandmarks = 100;  // pairs whose distances place the axis
 constexpr int kSmoothing = 10;  // rounds
-constexpr double kShortestAxis = 0.05;
+constexpr double kShortestAxis = 0.1;
 
 // Surface vertices, as spread_pairs says.
 std::vector<int> spread_vertices(const PartneredSurface& shape, const GeodesicSolver& solver, int count,
