@@ -1,17 +1,13 @@
 #include "filter_ga_symmetry.h"
 
-#include "find_partners.h"
+#include "filters.h"
 
 using ga_symmetry::Filter;
 using ga_symmetry::FilterRun;
 
 namespace {
 
-const Filter& filter(int id) {
-  static const Filter filters[] = {ga_symmetry::find_partners_filter()};
-  return filters[id];
-}
-constexpr int filter_count = 1;
+const Filter& filter(int id) { return ga_symmetry::all_filters()[static_cast<std::size_t>(id)]; }
 
 void report(vcg::CallBackPos* callback, int percent, const char* stage) {
   if (callback) callback(percent, stage);
@@ -20,7 +16,7 @@ void report(vcg::CallBackPos* callback, int percent, const char* stage) {
 }  // namespace
 
 FilterGaSymmetry::FilterGaSymmetry() {
-  for (int id = 0; id < filter_count; ++id) {
+  for (int id = 0; id < static_cast<int>(ga_symmetry::all_filters().size()); ++id) {
     typeList.push_back(id);
     actionList.push_back(new QAction(filterName(id), this));
   }

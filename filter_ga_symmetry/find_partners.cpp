@@ -1,15 +1,13 @@
-#include "find_partners.h"
-
-#include <cstdio>
+// "Intrinsic Symmetry: Find Partners".
 #include <iterator>
 
+#include "filters.h"
 #include "ga_symmetry/export.h"
 #include "ga_symmetry/symmetry.h"
+#include "layers.h"
 
 namespace ga_symmetry {
 namespace {
-
-using Allocator = vcg::tri::Allocator<CMeshO>;
 
 // Short lines: the dialog of 2020.09 cuts its last row off where this text is wrapped, and its help after two lines of
 // some 42 letters.
@@ -19,9 +17,6 @@ constexpr const char* info =
     "(nose and tail) and a left-right pair (two feet).<br>"
     "Attributes: symmetry_partner, _fitness, _side.<br>"
     "Colour: blue is a perfect match, red a poor one.";
-
-// MeshLab's float of a decimal number, as the double of that number: the dialog's 1.96 is the command line's 1.96.
-double decimal(Scalarm value) { return QString::number(value, 'g', 7).toDouble(); }
 
 // The weights of the joint search's cost share one line of the dialog.
 constexpr double JointOptions::*joint_weights[] = {&JointOptions::distance_weight,    &JointOptions::orientation_weight,
@@ -140,20 +135,6 @@ References choose_references(const std::string& text, bool automatic, const CMes
       " are selected (or give references by index, or select none and allow the search without references)");
 }
 
-template <class Value>
-void set_attribute(CMeshO& m, const char* name, const std::vector<Value>& values) {
-  // Handles are told apart by the size of their type only, so an older attribute of this name is no use.
-  if (vcg::tri::HasPerVertexAttribute(m, name)) Allocator::DeletePerVertexAttribute(m, name);
-  auto attribute = Allocator::AddPerVertexAttribute<Scalarm>(m, name);
-  for (std::size_t i = 0; i < values.size(); ++i) attribute[i] = static_cast<Scalarm>(values[i]);
-}
-
-std::string text(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
-
 void log_summary(const Result& result, const FilterRun& run) {
   std::string used;
   for (int v : result.axis_references) used += (used.empty() ? "" : ",") + std::to_string(v);
@@ -176,12 +157,8 @@ void log_summary(const Result& result, const FilterRun& run) {
 }
 
 FilterOutputs apply(const FilterRun& run) {
-  MeshModel* model = run.document.mm();
-  if (!model) throw InvalidMesh("there is no mesh; open one first");
-  CMeshO& m = model->cm;
-  Allocator::CompactEveryVector(m);
-  if (sizeof(Scalarm) == sizeof(float) && m.vert.size() > (std::size_t{1} << 24))
-    throw InvalidMesh("a mesh of more than 16777216 vertices has indices that MeshLab's float attributes cannot hold");
+  MeshModel& layer = current_layer(run);
+  const CMeshO& m = layer.cm;
 
   Options options = to_options(run.parameters);
   const std::string path = run.parameters.getSaveFileName("export_to").toLocal8Bit().toStdString();
@@ -190,24 +167,9 @@ FilterOutputs apply(const FilterRun& run) {
   options.references = choose_references(run.parameters.getString("references").toStdString(),
                                          run.parameters.getBool("automatic"), m, mesh);
 
-  Context context;
-  context.progress = [&](double fraction, const char* stage) { run.progress(static_cast<int>(100 * fraction), stage); };
-  const Result result = find_symmetry(mesh, options, context);
+  const Result result = find_symmetry(mesh, options, context_of(run));
   if (!path.empty()) write_result(path, mesh, result);
-
-  // Nothing can fail from here on.
-  set_attribute(m, "symmetry_partner", result.partner);
-  set_attribute(m, "symmetry_fitness", result.fitness);
-  set_attribute(m, "symmetry_side", result.side);
-  model->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-  const auto top = static_cast<float>(ramp_top(result.partner, result.fitness));
-  for (std::size_t i = 0; i < m.vert.size(); ++i) {
-    m.vert[i].Q() = static_cast<Scalarm>(result.fitness[i]);
-    m.vert[i].C() = vcg::Color4b::Blue;
-    // From the top to 0: the ramp's first colour is red.
-    if (top > 0) m.vert[i].C().SetColorRamp(top, 0.0f, static_cast<float>(result.fitness[i]));
-  }
-
+  store_partners(layer, {result.partner, result.fitness, result.side});
   log_summary(result, run);
   return {{"matched", result.matched},
           {"mean_fitness", result.mean_fitness},

@@ -1,14 +1,20 @@
-// Prints a filter script (.mlx) that runs Find Partners with its defaults. meshlabserver wants every parameter listed,
-// with its right type; this knows them from the filter itself.
+// Prints a filter script (.mlx) that runs filters of this plugin with their defaults, in the order given. meshlabserver
+// wants every parameter listed, with its right type; this knows them from the filters themselves.
 //
-//   make_filter_script [--select V,V,...] [PARAMETER=VALUE]...
+//   make_filter_script [--select V,V,...] [PYTHON_NAME] [PARAMETER=VALUE]... [PYTHON_NAME [PARAMETER=VALUE]...]...
+//   make_filter_script --parameters     the reference of all filters, as Markdown
+//
+// Parameters before the first name are Find Partners'; without any name that is the filter.
 #include <QCoreApplication>
 #include <QDomDocument>
 #include <QTextStream>
+#include <stdexcept>
 
-#include "find_partners.h"
+#include "filters.h"
 
 namespace {
+
+using ga_symmetry::Filter;
 
 QDomElement filter_element(QDomDocument& document, const QString& name) {
   QDomElement element = document.createElement("filter");
@@ -25,31 +31,79 @@ void add_selection(QDomDocument& document, const QString& vertices) {
   filter_element(document, "Conditional Vertex Selection").appendChild(list.at(0).fillToXMLDocument(document, false));
 }
 
-}  // namespace
+// Appends the filter; takes its parameters from the front of the arguments.
+void add_filter(QDomDocument& document, const Filter& filter, QStringList& arguments) {
+  QStringList given;
+  while (!arguments.isEmpty() && arguments[0].contains('=')) given << arguments.takeFirst();
+  QDomElement element = filter_element(document, filter.name);
+  for (const RichParameter& parameter : filter.parameters()) {
+    QDomElement child = parameter.fillToXMLDocument(document, false);
+    for (int i = 0; i < given.size(); ++i)
+      if (given[i].startsWith(parameter.name() + "="))
+        child.setAttribute("value", given.takeAt(i--).mid(parameter.name().size() + 1));
+    element.appendChild(child);
+  }
+  if (!given.isEmpty()) throw std::runtime_error("no parameter for: " + given.join(' ').toStdString());
+}
 
-int main(int argc, char** argv) {
-  qSetGlobalQHashSeed(0);  // the order of XML attributes, the same every time
-  QCoreApplication application(argc, argv);
-  QStringList arguments = application.arguments().mid(1);
+const Filter& filter_named(const QString& name) {
+  for (const Filter& filter : ga_symmetry::all_filters())
+    if (name == filter.python_name) return filter;
+  throw std::runtime_error("no such filter: " + name.toStdString());
+}
 
+QString script(QStringList arguments) {
   QDomDocument document("FilterScript");
   document.appendChild(document.createElement("FilterScript"));
   if (arguments.size() >= 2 && arguments[0] == "--select") {
     add_selection(document, arguments[1]);
     arguments = arguments.mid(2);
   }
-  const ga_symmetry::Filter filter = ga_symmetry::find_partners_filter();
-  QDomElement element = filter_element(document, filter.name);
-  for (const RichParameter& parameter : filter.parameters()) {
-    QDomElement child = parameter.fillToXMLDocument(document, false);
-    for (int i = 0; i < arguments.size(); ++i)
-      if (arguments[i].startsWith(parameter.name() + "="))
-        child.setAttribute("value", arguments.takeAt(i--).mid(parameter.name().size() + 1));
-    element.appendChild(child);
+  if (arguments.isEmpty() || arguments[0].contains('='))
+    add_filter(document, ga_symmetry::all_filters().front(), arguments);
+  while (!arguments.isEmpty()) add_filter(document, filter_named(arguments.takeFirst()), arguments);
+  return document.toString(1);
+}
+
+QString plain(QString html) { return html.replace("<br>", " ").remove("<b>").remove("</b>"); }
+
+QString reference() {
+  QString out =
+      "# Parameters of the filters\n\n"
+      "Made by `make_filter_script --parameters` from the filters themselves; a test compares. A choice is given in\n"
+      "filter scripts by its number, from 0; in PyMeshLab also by its text.\n";
+  for (const Filter& filter : ga_symmetry::all_filters()) {
+    out += QString(
+               "\n## %1\n\n`%2`\n\n%3\n\n| parameter | type | default | shown as | meaning |\n| --- | --- | --- | "
+               "--- | --- |\n")
+               .arg(filter.name, filter.python_name, plain(filter.info));
+    QDomDocument document;
+    for (const RichParameter& parameter : filter.parameters()) {
+      const QDomElement element = parameter.fillToXMLDocument(document, false);
+      QString type = element.attribute("type").mid(4), value = element.attribute("value");
+      QStringList choices;
+      for (int i = 0; element.hasAttribute("enum_val" + QString::number(i)); ++i)
+        choices << element.attribute("enum_val" + QString::number(i));
+      if (!choices.isEmpty()) type = "choice: " + choices.join(", "), value = choices[value.toInt()];
+      out += QString("| `%1` | %2 | %3 | %4 | %5 |\n")
+                 .arg(parameter.name(), type, value.isEmpty() ? "" : "`" + value + "`", parameter.fieldDescription(),
+                      parameter.toolTip());
+    }
   }
-  if (!arguments.isEmpty()) {
-    QTextStream(stderr) << "make_filter_script: no parameter for: " << arguments.join(' ') << "\n";
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  qSetGlobalQHashSeed(0);  // the order of XML attributes, the same every time
+  QCoreApplication application(argc, argv);
+  const QStringList arguments = application.arguments().mid(1);
+  try {
+    QTextStream(stdout) << (arguments == QStringList("--parameters") ? reference() : script(arguments));
+  } catch (const std::exception& error) {
+    QTextStream(stderr) << "make_filter_script: " << error.what() << "\n";
     return 2;
   }
-  QTextStream(stdout) << document.toString(1);
+  return 0;
 }

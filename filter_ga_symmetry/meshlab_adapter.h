@@ -31,6 +31,7 @@ using FilterArity = FilterPlugin::FilterArity;
 
 #if MESHLAB_GENERATION >= 2023
 using RichSaveFile = RichFileSave;
+using RichOpenFile = RichFileOpen;
 #endif
 
 /// Adds a parameter that MeshLab, where it can, folds away until asked for.

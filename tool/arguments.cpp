@@ -4,8 +4,6 @@
 
 #include <cstdio>
 
-#include "ga_symmetry/errors.h"
-
 namespace ga_symmetry::tool {
 
 void add_mesh(CLI::App& app, std::string& path) {
@@ -22,18 +20,6 @@ void add_threads(CLI::App& app, int& threads) {
 
 void add_output(CLI::App& app, std::string& path, const std::string& help) {
   app.add_option("-o,--output", path, help + "; without it the CSV goes to the standard output")->type_name("FILE");
-}
-
-Partners read_fitting_partners(const std::string& path, const TriangleMesh& mesh) {
-  Partners partners = read_partners(path, mesh);
-  if (partners.fitness.empty() || partners.side.empty())
-    throw FileError("cannot use " + path + ": it has no columns fitness and side; write it with `ga_symmetry find`");
-  try {
-    check_partners(partners, mesh);
-  } catch (const InvalidOption& error) {
-    throw FileError("cannot use " + path + ": " + error.what());
-  }
-  return partners;
 }
 
 ProgressBar::ProgressBar(bool wanted) : shown_(wanted && isatty(STDERR_FILENO)) {}

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "ga_symmetry/context.h"
-#include "ga_symmetry/partners.h"
 
 namespace ga_symmetry::tool {
 
@@ -32,9 +31,6 @@ void add_partners(CLI::App& app, std::string& path);
 void add_threads(CLI::App& app, int& threads);
 /// -o FILE, once; without it the table goes to the standard output.
 void add_output(CLI::App& app, std::string& path, const std::string& help);
-
-/// Reads the partners of the mesh and checks that they fit it. @throws FileError
-Partners read_fitting_partners(const std::string& path, const TriangleMesh& mesh);
 
 /// Shows how far a computation is, where the standard error is a terminal.
 class ProgressBar {

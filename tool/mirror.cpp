@@ -21,7 +21,7 @@ struct Arguments {
 void run(const Arguments& a) {
   if (wants_drawing(a.output)) throw CLI::ValidationError("--output", "must end in .csv, got " + a.output);
   const TriangleMesh mesh = read_mesh(a.mesh);
-  const TransferPlan plan = plan_transfer(read_fitting_partners(a.partners, mesh), a.transfer);
+  const TransferPlan plan = plan_transfer(read_checked_partners(a.partners, mesh), a.transfer);
   ValueTable values = read_value_table(a.values, mesh.vertices());
   for (auto& column : values.columns) column = transferred(column, plan, a.transfer);
   std::string header = "vertex";

@@ -119,4 +119,16 @@ void check_partners(const Partners& p, const TriangleMesh& mesh) {
         "partners of this mesh again");
 }
 
+Partners read_checked_partners(const std::string& path, const TriangleMesh& mesh) {
+  Partners partners = read_partners(path, mesh);
+  if (partners.fitness.empty() || partners.side.empty())
+    throw FileError("cannot use " + path + ": it lacks the columns fitness and side; write it with `ga_symmetry find`");
+  try {
+    check_partners(partners, mesh);
+  } catch (const InvalidOption& error) {
+    throw FileError("cannot use " + path + ": " + error.what());
+  }
+  return partners;
+}
+
 }  // namespace ga_symmetry

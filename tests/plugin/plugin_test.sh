@@ -243,6 +243,207 @@ case $case in
     serve "$sample"
     expect_refusal "partners.xyz"
     ;;
+  axis)
+    script "references=$refs" generate_polyline_from_intrinsic_symmetry pairs=30
+    serve "$sample" -m sa -o links.ply -l 1 -m vq vc sa -o axis.ply -l x -m vq vc sa
+    expect_success
+    [ "$(table links.ply | wc -l)" = 60 ] || fail "the links of 30 pairs have not 60 ends"
+    # Every end is a vertex of the mesh.
+    table out.ply | awk '{ print $1, $2, $3 }' | sort -u > vertices
+    table links.ply | awk '{ print $1, $2, $3 }' | sort -u | comm -23 - vertices | grep -q . && fail "a link ends nowhere"
+    table axis.ply > axis
+    # Points of the true axis: between vertices that are their own partners, or nearly.
+    awk 'FILENAME == ARGV[1] && FNR == 2 { n = $1; next }
+         FILENAME == ARGV[1] && FNR > 2 && FNR <= 2 + n { x[FNR - 3] = $1; y[FNR - 3] = $2; z[FNR - 3] = $3; next }
+         FILENAME == ARGV[1] && FNR > 2 + n && NF {
+           u1 = x[$3]-x[$2]; u2 = y[$3]-y[$2]; u3 = z[$3]-z[$2]; v1 = x[$4]-x[$2]; v2 = y[$4]-y[$2]; v3 = z[$4]-z[$2]
+           area += sqrt((u2*v3-u3*v2)^2 + (u3*v1-u1*v3)^2 + (u1*v2-u2*v1)^2) / 2; next }
+         FILENAME == ARGV[2] { d2 = (x[$1]-x[$2])^2 + (y[$1]-y[$2])^2 + (z[$1]-z[$2])^2
+           if (d2 < area / n) { a[k] = (x[$1]+x[$2])/2; b[k] = (y[$1]+y[$2])/2; c[k++] = (z[$1]+z[$2])/2 } next }
+         FILENAME == ARGV[3] { best = 1e30
+           for (i = 0; i < k; ++i) { d2 = (a[i]-$1)^2 + (b[i]-$2)^2 + (c[i]-$3)^2; if (d2 < best) best = d2 }
+           sum += sqrt(best); ++points }
+         END { printf "%.4f %d\n", sum / points / sqrt(area), points }' "$sample" "${sample%.off}.truth" axis > error
+    echo "axis: mean distance to the true one over sqrt(area), and points: $(cat error)"
+    awk '{ exit !($1 <= 0.03 && $2 > 50) }' error || fail "the axis is wrong: $(cat error)"
+    ;;
+  mirror)
+    # Each vertex' number as its colour; after mirroring, that of the vertex whose colour it took.
+    script "references=$refs" export_to=partners.csv
+    filter "Per Vertex Color Function" '<Param type="RichString" name="x" value="vi-256*rint(vi/256-0.498)"/>
+      <Param type="RichString" name="y" value="rint(vi/256-0.498)"/><Param type="RichString" name="z" value="7"/>
+      <Param type="RichString" name="a" value="255"/><Param type="RichBool" name="onselected" value="false"/>'
+    script transfer_attributes_across_intrinsic_symmetry attribute=1 direction=0
+    serve "$sample" -m vc sa
+    expect_success
+    table out.ply | awk '{ print $4 + 256 * $5 }' > taken
+    tail -n +2 partners.csv | paste -d, - taken | awk -F, '
+      { right[$1] = $4 == -1; partner[$1] = $2; taken[$1] = $5 }
+      END { for (v in partner) if (taken[v] != v && !(right[v] && taken[v] == partner[v] && !right[partner[v]])) exit 1 }' ||
+      fail "a colour was not taken from the partner on the left"
+    # As right as the map itself: of the right vertices that were changed, nearly all took a colour from near the truth.
+    { echo vertex,partner; awk '{ print NR - 1 "," $1 }' taken; } > taken.csv
+    tail -n +2 partners.csv | paste -d, - taken | awk -F, '$5 != $1 { print $1 }' > changed
+    awk 'NR == FNR { c[$1]; next } $1 in c' changed "${sample%.off}.truth" > changed.truth
+    "$tool" score "$sample" changed.truth taken.csv > mirrored
+    "$tool" score "$sample" changed.truth partners.csv > map
+    echo "mirrored colours: $(cat mirrored)"
+    [ "$(cut -d' ' -f1-4 mirrored)" = "$(cut -d' ' -f1-4 map)" ] || fail "mirrored: $(cat mirrored); the map: $(cat map)"
+    awk '{ exit !($4 >= 0.9) }' mirrored || fail "the colours are not from the true partners: $(cat mirrored)"
+    grep -q "Mirrored: $(wc -l < changed) vertices changed" log || fail "changed vertices are not counted"
+    ;;
+  mirror_selection | mirror_quality | mirror_custom)
+    script "references=$refs" export_to=partners.csv
+    case $case in
+      mirror_selection)
+        filter "Conditional Vertex Selection" '<Param type="RichString" name="condSelect" value="vi &lt; 300"/>'
+        script transfer_attributes_across_intrinsic_symmetry attribute=0 direction=2
+        ;;
+      mirror_quality)
+        filter "Per Vertex Quality Function" '<Param type="RichString" name="q" value="vi"/>
+          <Param type="RichBool" name="normalize" value="false"/><Param type="RichBool" name="map" value="false"/>
+          <Param type="RichBool" name="onselected" value="false"/>'
+        script transfer_attributes_across_intrinsic_symmetry attribute=2 direction=3
+        ;;
+      mirror_custom)
+        filter "Define New Per Vertex Attribute" '<Param type="RichString" name="name" value="weight"/>
+          <Param type="RichString" name="expr" value="vi"/>'
+        script transfer_attributes_across_intrinsic_symmetry attribute=3 custom_attribute=weight direction=1
+        for _ in 1 2; do  # see below, attributes
+          filter "Per Vertex Quality Function" '<Param type="RichString" name="q" value="weight"/>
+            <Param type="RichBool" name="normalize" value="false"/><Param type="RichBool" name="map" value="false"/>
+            <Param type="RichBool" name="onselected" value="false"/>'
+        done
+        ;;
+    esac
+    serve "$sample" -m vf vq sa
+    expect_success
+    awk '/^property/ && !/list/ { c[$3] = ++k } /^element face/ { exit } END { print c["flags"], c["quality"] }' out.ply > columns
+    read -r flags quality < columns
+    table out.ply | awk -v f="$flags" -v q="$quality" '{ print int($f / 32) % 2 "," $q + 0 }' > saved
+    tail -n +2 partners.csv | paste -d, - saved | awk -F, -v case="$case" '
+      { partner[NR - 1] = $2; side[NR - 1] = $4; selected[NR - 1] = $5; value[NR - 1] = $6 }
+      END { for (v = 0; v < NR; ++v) { p = partner[v]
+              if (case == "mirror_selection" && selected[v] != (p < 0 ? v < 300 : p < 300)) exit 1
+              if (case == "mirror_quality" && value[v] != (p < 0 ? v : (v + p) / 2)) exit 1
+              if (case == "mirror_custom" && value[v] != (side[v] == 1 && p >= 0 && side[p] != 1 ? p : v)) exit 1 } }' ||
+      fail "the values are not those of the partners"
+    ;;
+  mirror_nothing)
+    script "references=$refs"
+    script transfer_attributes_across_intrinsic_symmetry attribute=3 custom_attribute=weight
+    serve "$sample"
+    expect_refusal "no scalar attribute named .weight"
+    ;;
+  asymmetry)
+    # A hump bends the surface more than it enlarges it.
+    case $sample in *hump.off) measure=2 ;; *) measure=0 ;; esac
+    script "references=$refs" export_to=partners.csv compute_asymmetry_per_vertex measure=$measure
+    serve "$sample" -m vq vc sa
+    expect_success
+    grep -q "Asymmetry: -" log || fail "no negative values in the log"
+    awk '/^property/ && !/list/ { c[$3] = ++k } /^element face/ { exit } END { print c["quality"], c["red"], c["blue"] }' \
+      out.ply > columns
+    read -r quality red blue < columns
+    table out.ply | awk -v q="$quality" -v r="$red" -v b="$blue" '
+      $q > 0 && $b > $r || $q < 0 && $r > $b { exit 1 }' || fail "the colours do not follow the sign"
+    # A broken sample has a hump on the left, or no left hand: the vertices that this affects, on both sides.
+    affected=${sample%.off}.affected
+    if [ -f "$affected" ]; then
+      table out.ply | awk -v q="$quality" '{ print $q }' | paste -d, - <(tail -n +2 partners.csv) | awk -F, '
+        NR == FNR { c[$1]; next }
+        $2 in c { inside += $1 * $5; ++m; next }
+        { outside += $1 < 0 ? -$1 : $1; ++n }
+        END { printf "%.3f %.3f\n", inside / m, outside / n }' "$affected" - > figures
+      echo "asymmetry: left minus right where one side has more, mean size elsewhere: $(cat figures)"
+      case $sample in *hump.off) sign=1 ;; *) sign=-1 ;; esac
+      awk -v sign=$sign '{ exit !(sign * $1 > 2 * $2) }' figures || fail "it does not stand out: $(cat figures)"
+    fi
+    ;;
+  samples)
+    script generate_evenly_spaced_samples samples=40
+    serve "$sample" -m vc sa -o points.ply -l x -m vc sa
+    expect_success
+    table out.ply | awk '{ print $1, $2, $3 }' | sort -u > vertices
+    table points.ply | awk '{ print $1, $2, $3 }' | sort -u > points
+    [ "$(wc -l < points)" = 40 ] || fail "not 40 different samples"
+    comm -23 points vertices | grep -q . && fail "a sample is not a vertex"
+    [ "$(table out.ply | awk '{ print $4, $5, $6 }' | sort -u | wc -l)" = 40 ] || fail "not 40 patches"
+    ;;
+  import)
+    "$tool" find "$sample" --refs "$refs" -o given.csv
+    script load_partners_of_intrinsic_symmetry partners_file=given.csv
+    script generate_polyline_from_intrinsic_symmetry
+    serve "$sample" -m vq sa
+    expect_success
+    tail -n +2 given.csv | cut -d, -f3 > given
+    table out.ply | awk '{ print $NF }' | paste given - | awk '{ d = $1 - $2; if (d < 0) d = -d }
+      d > 1e-5 * (1 + $1) { exit 1 }' || fail "the quality is not the imported fitness"
+    ;;
+  import_json)
+    script "references=$refs" export_to=partners.json
+    serve "$sample"
+    expect_success
+    mv partners.json given.json
+    rm ./*.mlx out.ply
+    script load_partners_of_intrinsic_symmetry partners_file=given.json
+    serve "$sample"
+    expect_success
+    rm out.ply
+    # One vertex moved.
+    awk 'NR == 3 { $1 += 1 } { print }' "$sample" > moved.off
+    serve moved.off
+    expect_refusal "cannot read given.json: it is of another mesh"
+    ;;
+  import_other)
+    # Of a mesh with as many vertices in another order: line v is that of vertex n-1-v.
+    "$tool" find "$sample" --refs "$refs" -o given.csv
+    { head -n 1 given.csv; tail -n +2 given.csv | tac | awk -F, -v OFS=, '{ $1 = NR - 1; print }'; } > other.csv
+    script load_partners_of_intrinsic_symmetry partners_file=other.csv
+    serve "$sample"
+    expect_refusal "cannot use other.csv: the partners are not of this mesh"
+    ;;
+  import_missing)
+    script load_partners_of_intrinsic_symmetry partners_file=nowhere.csv
+    serve "$sample"
+    expect_refusal "cannot read nowhere.csv"
+    ;;
+  absent)
+    for name in generate_polyline_from_intrinsic_symmetry transfer_attributes_across_intrinsic_symmetry \
+                compute_asymmetry_per_vertex; do
+      rm -f ./*.mlx
+      script $name
+      serve "$sample"
+      expect_refusal "this layer has no partners: run .*Find Partners"
+    done
+    ;;
+  stale)
+    script "references=$refs"
+    filter "Conditional Vertex Selection" '<Param type="RichString" name="condSelect" value="vi == 100"/>'
+    filter "Delete Selected Vertices" ''
+    script generate_polyline_from_intrinsic_symmetry
+    serve "$sample"
+    expect_refusal "vertices have been removed or added since"
+    ;;
+  examples)
+    # The example scripts run as they are, and are what make_filter_script prints today.
+    here=$(dirname "$0")/../../examples/meshlabserver
+    for given in "$here"/*.mlx; do
+      name=$(basename "$given" .mlx)
+      "$make_filter_script" --select "$refs" export_to=partners.csv "$name" \
+        $([ "$name" != load_partners_of_intrinsic_symmetry ] || echo partners_file=partners.csv) > now.mlx
+      cmp "$given" now.mlx || { echo "$given is out of date"; touch stale; }
+      mv now.mlx 000.mlx
+      serve "$sample"
+      expect_success
+      rm 000.mlx out.ply
+    done
+    [ ! -e stale ] || exit 1
+    ;;
+  parameters)
+    "$make_filter_script" --parameters | cmp - "$(dirname "$0")/../../docs/parameters.md" ||
+      { echo "docs/parameters.md is out of date: run make_filter_script --parameters"; exit 1; }
+    ;;
   scripts)
     # The filter scripts beside the samples are what make_filter_script prints today.
     for given in "$(dirname "$sample")"/*.mlx; do

@@ -24,4 +24,7 @@ Partners read_partners(const std::string& path, const TriangleMesh& mesh);
 /// @throws InvalidOption
 void check_partners(const Partners& partners, const TriangleMesh& mesh);
 
+/// Both: reads partners with all columns, and checks them. @throws FileError
+Partners read_checked_partners(const std::string& path, const TriangleMesh& mesh);
+
 }  // namespace ga_symmetry

@@ -1,0 +1,81 @@
+// "Intrinsic Symmetry: Asymmetry".
+#include "ga_symmetry/asymmetry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters.h"
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/export.h"
+#include "layers.h"
+
+namespace ga_symmetry {
+namespace {
+
+constexpr const char* info =
+    "How much the two sides differ around each vertex,<br>"
+    "in any pose; after Find Partners. As quality and colour:<br>"
+    "red where this side has more, blue where it has less.<br>"
+    "Area and Length: 0.1 is 10 % more.";
+
+RichParameterList parameters() {
+  const AsymmetryOptions defaults;
+  RichParameterList list;
+  list.addParam(RichEnum("measure", static_cast<int>(defaults.measure), {"Area", "Length", "Mean curvature"}, "Measure",
+                         "What is compared. Mean curvature: difference times sqrt(area), convex is more."));
+  list.addParam(RichFloat("radius", static_cast<float>(defaults.radius), "Radius",
+                          "Of the discs compared, over sqrt(area), up to 1. The time grows with its square."));
+  add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
+                        "0 to 256; 0 = all cores. Changes the time, never the result.");
+  return list;
+}
+
+// White at 0, red at `top`, blue at -top.
+vcg::Color4b signed_color(double value, double top) {
+  const double share = top > 0 ? std::min(1.0, std::abs(value) / top) : 0;
+  const auto faded = static_cast<unsigned char>(255 * (1 - share) + 0.5);
+  return value > 0 ? vcg::Color4b(255, faded, faded, 255) : vcg::Color4b(faded, faded, 255, 255);
+}
+
+FilterOutputs apply(const FilterRun& run) {
+  MeshModel& layer = current_layer(run);
+  CMeshO& m = layer.cm;
+  const TriangleMesh mesh = to_triangle_mesh(m);
+  const Partners partners = stored_partners(layer, mesh);
+  AsymmetryOptions options;
+  options.measure = static_cast<AsymmetryMeasure>(run.parameters.getEnum("measure"));
+  options.radius = decimal(run.parameters.getFloat("radius"));
+  options.threads = run.parameters.getInt("threads");
+  const std::vector<double> values = asymmetry(mesh, partners, options, context_of(run));
+
+  std::vector<double> sizes;
+  double sum = 0;
+  for (const double value : values) {
+    sizes.push_back(std::abs(value));
+    sum += sizes.back();
+  }
+  const double top = ramp_top(partners.partner, sizes);
+  layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    m.vert[v].Q() = static_cast<Scalarm>(values[v]);
+    m.vert[v].C() = signed_color(values[v], top);
+  }
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double mean = sum / static_cast<double>(values.size());
+  run.log("Asymmetry: " + text("%.4g", *lowest) + " to " + text("%.4g", *highest) + ", mean size " +
+          text("%.4g", mean) + ", full colour at " + text("%.4g", top));
+  return {{"lowest", *lowest}, {"highest", *highest}, {"mean_size", mean}};
+}
+
+}  // namespace
+
+Filter asymmetry_filter() {
+  return {"Intrinsic Symmetry: Asymmetry",
+          "compute_asymmetry_per_vertex",
+          info,
+          GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          parameters,
+          apply};
+}
+
+}  // namespace ga_symmetry

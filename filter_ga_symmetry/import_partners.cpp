@@ -1,0 +1,48 @@
+// "Intrinsic Symmetry: Import Partners".
+#include <algorithm>
+
+#include "filters.h"
+#include "ga_symmetry/errors.h"
+#include "layers.h"
+
+namespace ga_symmetry {
+namespace {
+
+constexpr const char* info =
+    "Reads partners back that Find Partners or the command<br>"
+    "line tool has written for this mesh: .csv or .json.<br>"
+    "A .json fits its own mesh only; a .csv fits any pose<br>"
+    "of it with the same vertices.";
+
+RichParameterList parameters() {
+  RichParameterList list;
+  list.addParam(RichOpenFile("partners_file", "", {"*.csv", "*.json"}, "File",
+                             "A .csv with the columns vertex,partner,fitness,side, or a .json."));
+  return list;
+}
+
+FilterOutputs apply(const FilterRun& run) {
+  MeshModel& layer = current_layer(run);
+  const std::string path = run.parameters.getOpenFileName("partners_file").toLocal8Bit().toStdString();
+  if (path.empty()) throw InvalidOption("choose the file to read the partners from");
+  const Partners partners = read_checked_partners(path, to_triangle_mesh(layer.cm));
+  store_partners(layer, partners);
+  const int matched = static_cast<int>(
+      std::count_if(partners.partner.begin(), partners.partner.end(), [](int partner) { return partner >= 0; }));
+  run.log("Imported: partners of " + std::to_string(matched) + " of " + std::to_string(partners.partner.size()) +
+          " vertices");
+  return {{"matched", matched}};
+}
+
+}  // namespace
+
+Filter import_partners_filter() {
+  return {"Intrinsic Symmetry: Import Partners",
+          "load_partners_of_intrinsic_symmetry",
+          info,
+          GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          parameters,
+          apply};
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,38 @@
+// What the filters share: the current layer, the partners that it keeps as attributes, colours, new layers.
+#pragma once
+#include "ga_symmetry/context.h"
+#include "ga_symmetry/partners.h"
+#include "meshlab_adapter.h"
+
+namespace ga_symmetry {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
+using ScalarAttribute = CMeshO::PerVertexAttributeHandle<Scalarm>;
+
+/// The current layer, without deleted elements. @throws InvalidMesh  if there is none
+MeshModel& current_layer(const FilterRun& run);
+
+/// Passes progress on to MeshLab.
+Context context_of(const FilterRun& run);
+
+/// The attribute of that name, or an invalid handle.
+ScalarAttribute find_attribute(CMeshO& m, const std::string& name);
+
+/// Keeps the partners as attributes, the fitness as quality and colour. Fails only for want of memory.
+void store_partners(MeshModel& layer, const Partners& partners);
+
+/// The partners that the layer keeps. @throws InvalidOption  if there are none, or the mesh has changed since
+Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh);
+
+/// Blue at 0 to red at `top`.
+vcg::Color4b fitness_color(double fitness, double top);
+
+/// A new layer in the same place as `like`, with so many points. The current layer stays current.
+CMeshO& add_layer(const FilterRun& run, MeshModel& like, const QString& name, std::size_t points);
+
+/// MeshLab's float of a decimal number, as the double of that number: the dialog's 1.96 is the command line's 1.96.
+double decimal(Scalarm value);
+
+std::string text(const char* format, double value);
+
+}  // namespace ga_symmetry
