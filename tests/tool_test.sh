@@ -153,6 +153,66 @@ expect 1 score body.off missing truth.csv
 expect 1 score body.off truth two.csv
 one_line
 
+# What stands on a result.
+expect 0 find body.off --refs "$refs" "${quick[@]}" --summary json -o a.csv
+python3 -c 'import json; s = json.load(open("out")); assert s["kind"] == "reflection" and s["matched"] > 0 and s["seconds"]' ||
+  fail "no JSON summary"
+expect 0 find body.off --refs "$refs" "${quick[@]}" --summary text -o a.csv
+says "^mean fitness" out
+expect 2 find body.off --summary yaml
+{ echo vertex,partner,fitness,side
+  awk -v head=$head -v foot=$foot '{ print $1 "," $2 ",0.01," ($1 == $2 ? 0 : $1 < $2 ? 1 : -1) }' truth; } >known.csv
+# A side is a side of the body: left is where x > 0.
+awk -F'[ ,]' 'NR == FNR { if (FNR > 2 && FNR <= 772) x[FNR - 3] = $1; next }
+  FNR > 1 { $4 = x[$1] > 1e-9 ? 1 : x[$1] < -1e-9 ? -1 : 0 } { print }' OFS=, body.off known.csv >sided.csv
+mv sided.csv known.csv
+expect 0 pairs body.off known.csv --count 20
+[[ $(head -n1 out) == vertex,partner,fitness && $(wc -l <out) == 21 ]] || fail "not 20 pairs"
+awk -F, 'NR == FNR { if (FNR > 1) { p[$1] = $2; s[$1] = $4 } next } FNR > 1 && (p[$1] != $2 || s[$1] != 1) { exit 1 }' \
+  known.csv out || fail "a pair that is none"
+expect 0 pairs body.off known.csv --count 20 -o links.ply
+grep -q "^element edge 20$" links.ply || fail "not 20 links"
+expect 0 axis body.off known.csv
+[[ $(head -n1 out) == line,x,y,z,fitness ]] || fail "wrong header of the axis"
+awk -F, 'NR > 1 { sum += $2 < 0 ? -$2 : $2; ++n; last = $2 "," $3 "," $4 } NR == 2 { first = last }
+  END { exit !(n > 50 && sum / n < 0.05 && first == last) }' out || fail "the axis is not where x = 0, or is not closed"
+expect 0 axis body.off known.csv -o axis.ply
+grep -q "^element edge" axis.ply || fail "no axis lines"
+expect 0 asymmetry body.off known.csv --threads 1
+[[ $(wc -l <out) == $((vertices + 1)) ]] || fail "not a value for every vertex"
+awk -F, 'NR > 1 && ($2 > 0.05 || $2 < -0.05) { exit 1 }' out || fail "a symmetric body, whose triangles are not, is asymmetric"
+expect 0 asymmetry body.off known.csv --measure curvature --radius 0.2 -o difference.ply
+expect 2 asymmetry body.off known.csv --radius 0
+one_line
+expect 0 samples body.off --count 30
+[[ $(awk -F, '$1 == $3' out | wc -l) == 30 && $(wc -l <out) == $((vertices + 1)) ]] || fail "not 30 samples"
+expect 0 samples body.off -o patches.ply
+expect 2 samples body.off --count 100000
+expect 2 samples body.off -o patches.xyz
+one_line
+{ echo arm,vertex,leg; for ((v = 0; v < vertices; ++v)); do echo $v,$v,0.5; done; } >weights.csv
+expect 0 mirror body.off known.csv weights.csv -o mirrored.csv
+says "vertices changed, 0 kept"
+awk -F, 'NR == FNR { if (FNR > 1) { p[$1] = $2; s[$1] = $4 } next } FNR == 1 { if ($0 != "vertex,arm,leg") exit 1; next }
+  $2 != (s[$1] == -1 ? p[$1] : $1) || $3 != 0.5 { exit 1 }' known.csv mirrored.csv || fail "weights are not the partners'"
+expect 0 mirror body.off known.csv mirrored.csv --direction swap -o again.csv
+cmp -s mirrored.csv again.csv || fail "mirrored weights are not symmetric"
+expect 2 mirror body.off known.csv weights.csv --direction up
+expect 2 mirror body.off known.csv weights.csv -o a.ply
+echo vertex,w >short.csv
+expect 1 mirror body.off known.csv short.csv
+one_line
+for command in pairs axis asymmetry; do
+  expect 1 $command body.off truth.csv
+  says "lacks the columns"
+  expect 1 $command two.off known.csv
+  one_line
+  expect 0 $command --help
+  says "Examples" out
+done
+expect 1 pairs body.off known.csv -o missing/a.csv
+no_file missing/a.csv
+
 # An interrupt ends a long run promptly, with nothing written.
 body 200 300 | to_off >large.off
 "$tool" find large.off --joint-population 10000 --joint-generations 10000 -o a2.csv >out 2>err &

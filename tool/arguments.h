@@ -9,7 +9,7 @@
 
 namespace ga_symmetry::tool {
 
-/// An option whose value is one of a few words; `value` holds the default.
+/// An option whose value is one of a few words; `value` holds the default, which need not be one of them.
 template <class Value>
 void add_choice(CLI::App& app, const std::string& name, Value& value,
                 const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
@@ -23,7 +23,8 @@ void add_choice(CLI::App& app, const std::string& name, Value& value,
       if (text == given) return static_cast<void>(value = choice);
     throw CLI::ValidationError(name, "must be " + names + ", got " + given);
   };
-  app.add_option_function<std::string>(name, choose, help + " [" + current + "]")->type_name(names);
+  app.add_option_function<std::string>(name, choose, current.empty() ? help : help + " [" + current + "]")
+      ->type_name(names);
 }
 
 void add_mesh(CLI::App& app, std::string& path);

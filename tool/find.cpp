@@ -1,6 +1,7 @@
 // ga_symmetry find: a mesh in, its partners out.
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,12 @@
 namespace ga_symmetry::tool {
 namespace {
 
+enum class Summary { unasked, text, json };
+
 struct Arguments {
   std::string mesh, references;
   std::vector<std::string> outputs;
+  Summary summary = Summary::unasked;
   bool quiet = false;
   Options options;
 };
@@ -25,6 +29,7 @@ constexpr const char* kExamples =
     "  ga_symmetry find body.ply --refs 12,40,7,9 -o body.csv    12 and 40 on the axis, 7 and 9 a pair\n"
     "  ga_symmetry find body.ply --refs 12,40,7:9,3:5 -o body.csv -o body.ply\n"
     "  ga_symmetry find body.ply --refs 12,40,7,9 --method pairs --fitness linear\n"
+    "  ga_symmetry find body.ply --summary json -o body.csv | jq .mean_fitness\n"
     "\n"
     "Without -o a summary is printed and no file is written.\n"
     "Exit status: 0 done, 1 could not (no file is written), 2 wrong usage, 130 interrupted.";
@@ -54,6 +59,24 @@ void print_summary(const Result& r) {
   std::printf(" total %.2f\n", total);
 }
 
+void print_summary_json(const Result& r) {
+  nlohmann::ordered_json json{{"kind", to_string(r.kind)},
+                              {"order", r.order},
+                              {"symmetries", r.symmetries.size()},
+                              {"confidence", r.confidence},
+                              {"axis_references", r.axis_references},
+                              {"pair_references", r.pair_references},
+                              {"pairs", r.pairs.size()},
+                              {"vertices", r.partner.size()},
+                              {"matched", r.matched},
+                              {"mean_fitness", r.mean_fitness},
+                              {"generations", r.log.size()},
+                              {"stop", to_string(r.stop)},
+                              {"warnings", r.warnings}};
+  for (const StageTime& s : r.seconds) json["seconds"][s.stage] = s.seconds;
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
 void run(const Arguments& arguments, const Context& interrupt) {
   Options options = arguments.options;
   options.references = parse_references(arguments.references);
@@ -70,7 +93,10 @@ void run(const Arguments& arguments, const Context& interrupt) {
   if (!arguments.quiet)
     for (const std::string& warning : result.warnings)
       std::fprintf(stderr, "ga_symmetry: warning: %s\n", warning.c_str());
-  if (arguments.outputs.empty()) print_summary(result);
+  if (arguments.summary == Summary::json)
+    print_summary_json(result);
+  else if (arguments.outputs.empty() || arguments.summary == Summary::text)
+    print_summary(result);
 }
 
 }  // namespace
@@ -101,6 +127,8 @@ void add_find(CLI::App& app, Run& chosen) {
       ->capture_default_str();
   find.add_flag("--largest-component", options.largest_component,
                 "Work on the largest component instead of refusing a mesh of several");
+  add_choice(find, "--summary", arguments->summary, {{"text", Summary::text}, {"json", Summary::json}},
+             "Print the summary in this form, also beside -o");
   find.add_flag("--quiet", arguments->quiet, "No progress and no warnings");
 
   PairsOptions& pairs = options.pairs;
