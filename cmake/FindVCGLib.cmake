@@ -1,5 +1,5 @@
 # Finds vcglib: in -DVCGLIB_DIR=, in MeshLab's source tree, or installed.
-# Targets: VCGLib::VCGLib (headers) and VCGLib::plylib (what vcglib's PLY files need, compiled).
+# Target: VCGLib::VCGLib (headers). Whatever reads or writes PLY files compiles ${VCGLib_INCLUDE_DIR}/wrap/ply/plylib.cpp.
 include(MeshLabSource)
 set(VCGLIB_DIR "" CACHE PATH "vcglib: the directory that holds vcg/ and wrap/")
 
@@ -21,10 +21,4 @@ if(VCGLib_FOUND AND NOT TARGET VCGLib::VCGLib)
   add_library(VCGLib::VCGLib INTERFACE IMPORTED)
   target_include_directories(VCGLib::VCGLib INTERFACE ${VCGLib_INCLUDE_DIR})
   target_link_libraries(VCGLib::VCGLib INTERFACE Eigen3::Eigen)
-
-  add_library(vcglib_plylib STATIC ${VCGLib_INCLUDE_DIR}/wrap/ply/plylib.cpp)
-  target_link_libraries(vcglib_plylib PUBLIC VCGLib::VCGLib)
-  target_compile_options(vcglib_plylib PRIVATE -w)
-  set_target_properties(vcglib_plylib PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  add_library(VCGLib::plylib ALIAS vcglib_plylib)
 endif()
