@@ -13,10 +13,11 @@ namespace ga_symmetry {
 namespace {
 
 constexpr const char* info =
-    "How much the two sides differ around each vertex,<br>"
-    "in any pose; after Find Partners. As quality and colour:<br>"
-    "red where this side has more, blue where it has less.<br>"
-    "Area and Length: 0.1 is 10 % more.";
+    "How much the two sides differ<br>"
+    "around each vertex, in any pose;<br>"
+    "after Find Partners. Red: this side<br>"
+    "has more, blue: it has less. Area<br>"
+    "and Length: 0.1 is 10 % more.";
 
 RichParameterList parameters() {
   const AsymmetryOptions defaults;

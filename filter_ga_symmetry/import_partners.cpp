@@ -9,10 +9,10 @@ namespace ga_symmetry {
 namespace {
 
 constexpr const char* info =
-    "Reads partners back that Find Partners or the command<br>"
-    "line tool has written for this mesh: .csv or .json.<br>"
-    "A .json fits its own mesh only; a .csv fits any pose<br>"
-    "of it with the same vertices.";
+    "Reads back the partners written<br>"
+    "for this mesh. A .json fits its own<br>"
+    "mesh only, a .csv any pose of it<br>"
+    "with the same vertices.";
 
 RichParameterList parameters() {
   RichParameterList list;

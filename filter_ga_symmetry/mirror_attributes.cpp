@@ -8,10 +8,11 @@ namespace ga_symmetry {
 namespace {
 
 constexpr const char* info =
-    "Carries a selection, colours, quality or weights<br>"
-    "to the other side, in any pose; after Find Partners.<br>"
-    "Left is where symmetry_side is +1: the side of the<br>"
-    "first vertex of the pair you selected or gave.";
+    "Carries a selection, colours, quality<br>"
+    "or weights to the other side, in any<br>"
+    "pose; after Find Partners. Left is<br>"
+    "where symmetry_side is +1: where you<br>"
+    "picked the pair's first vertex.";
 
 enum Attribute { kSelection, kColor, kQuality, kCustom };
 

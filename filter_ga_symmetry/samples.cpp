@@ -8,9 +8,10 @@ namespace ga_symmetry {
 namespace {
 
 constexpr const char* info =
-    "Vertices evenly spaced by geodesic distance, as the<br>"
-    "search uses them: a new layer of points, and the patch<br>"
-    "nearest to each as the mesh's colours.";
+    "Vertices evenly spaced by<br>"
+    "geodesic distance, as the search<br>"
+    "uses them: a layer of points, and<br>"
+    "patches of the nearest as colours.";
 
 RichParameterList parameters() {
   RichParameterList list;
@@ -36,7 +37,7 @@ FilterOutputs apply(const FilterRun& run) {
     points.vert[i].P() = layer.cm.vert[surface.mesh_vertex[samples.vertex[i]]].P();
     points.vert[i].N() = layer.cm.vert[surface.mesh_vertex[samples.vertex[i]]].N();
     points.vert[i].Q() = static_cast<Scalarm>(i);
-    points.vert[i].C() = color(i);
+    points.vert[i].C() = vcg::Color4b::Black;  // to be seen on the patches
   }
   vcg::tri::UpdateBounding<CMeshO>::Box(points);
   layer.updateDataMask(MeshModel::MM_VERTCOLOR);

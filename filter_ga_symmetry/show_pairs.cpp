@@ -1,4 +1,9 @@
 // "Intrinsic Symmetry: Show Pairs and Axis".
+#include <vcg/complex/algorithms/stat.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "filters.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/export.h"
@@ -9,23 +14,42 @@ namespace ga_symmetry {
 namespace {
 
 constexpr const char* info =
-    "Draws what Find Partners has found, in new layers:<br>"
-    "lines that link evenly spread pairs, and the<br>"
+    "Draws what Find Partners has<br>"
+    "found, in new layers: lines that<br>"
+    "link evenly spread pairs, and the<br>"
     "symmetry axis on the surface.<br>"
-    "Colour: blue is a perfect match, red a poor one.";
+    "Blue: a perfect match, red: poor.";
 
 RichParameterList parameters() {
   RichParameterList list;
   list.addParam(RichInt("pairs", 50, "Pairs", "Evenly spread; 0 = none."));
   list.addParam(RichBool("axis", true, "Axis", "The line where left meets right. A rotation has none."));
+  list.addParam(RichFloat("lift", 0.003f, "Lift of the axis",
+                          "How far the axis stands off the surface, over sqrt(area), to be seen whole; 0 = on it."));
   add_advanced<RichInt>(list, "threads", 0, "Threads", "0 to 256; 0 = all cores. Changes the time, never the result.");
   return list;
 }
 
-void set_point(CMeshO& m, int i, const std::array<double, 3>& position, double fitness, double top) {
-  for (int k = 0; k < 3; ++k) m.vert[i].P()[k] = static_cast<Scalarm>(position[k]);
-  m.vert[i].Q() = static_cast<Scalarm>(fitness);
-  m.vert[i].C() = fitness_color(fitness, top);
+// The normal is for the light that MeshLab puts on points and lines, too.
+void set_point(CVertexO& v, const Point3m& position, const Point3m& normal, double fitness, double top) {
+  v.P() = position;
+  v.N() = normal;
+  v.Q() = static_cast<Scalarm>(fitness);
+  v.C() = fitness_color(fitness, top);
+}
+
+// Where a point on a face is, and the surface's normal there.
+std::pair<Point3m, Point3m> place_of(const CMeshO& m, const SurfacePoint& point) {
+  Point3m position(0, 0, 0), normal(0, 0, 0);
+  for (int c = 0; c < 3; ++c) {
+    position += m.vert[point.vertex[c]].cP() * static_cast<Scalarm>(point.weight[c]);
+    normal += m.vert[point.vertex[c]].cN() * static_cast<Scalarm>(point.weight[c]);
+  }
+  return {position, normal.Normalize()};
+}
+
+bool is_closed(const std::vector<SurfacePoint>& line) {
+  return line.front().vertex == line.back().vertex && line.front().weight == line.back().weight;
 }
 
 FilterOutputs apply(const FilterRun& run) {
@@ -34,6 +58,9 @@ FilterOutputs apply(const FilterRun& run) {
   const Partners partners = stored_partners(layer, mesh);
   const int count = run.parameters.getInt("pairs");
   if (count < 0) throw InvalidOption("pairs must be at least 0, got " + std::to_string(count));
+  const auto lift = static_cast<Scalarm>(run.parameters.getFloat("lift") *
+                                         std::sqrt(vcg::tri::Stat<CMeshO>::ComputeMeshArea(layer.cm)));
+  if (!(lift >= 0)) throw InvalidOption("lift must be at least 0");
   const bool has_sides = std::any_of(partners.side.begin(), partners.side.end(), [](int side) { return side != 0; });
   const bool wants_axis = run.parameters.getBool("axis") && has_sides;
   const Context context = context_of(run);
@@ -50,18 +77,15 @@ FilterOutputs apply(const FilterRun& run) {
     Allocator::AddEdges(links, pairs.size());
     for (int i = 0; i < static_cast<int>(pairs.size()); ++i)
       for (int end = 0; end < 2; ++end) {
-        const int v = end == 0 ? pairs[i].vertex : pairs[i].partner;
-        const double* p = &mesh.position[3 * static_cast<std::size_t>(v)];
-        set_point(links, 2 * i + end, {p[0], p[1], p[2]}, pairs[i].fitness, top);
+        const CVertexO& v = layer.cm.vert[end == 0 ? pairs[i].vertex : pairs[i].partner];
+        set_point(links.vert[2 * i + end], v.cP(), v.cN(), pairs[i].fitness, top);
         links.edge[i].V(end) = &links.vert[2 * i + end];
       }
     vcg::tri::UpdateBounding<CMeshO>::Box(links);
   }
   std::size_t points = 0, segments = 0;
   for (const auto& line : axis) {
-    // A closed line's last point is its first.
-    const bool closed = line.front().vertex == line.back().vertex && line.front().weight == line.back().weight;
-    points += line.size() - closed;
+    points += line.size() - is_closed(line);
     segments += line.size() - 1;
   }
   if (points > 0) {
@@ -69,10 +93,11 @@ FilterOutputs apply(const FilterRun& run) {
     Allocator::AddEdges(drawn, segments);
     int point = 0, segment = 0;
     for (const auto& line : axis) {
-      const bool closed = line.front().vertex == line.back().vertex && line.front().weight == line.back().weight;
-      const int first = point, own = static_cast<int>(line.size()) - closed;
-      for (int k = 0; k < own; ++k)
-        set_point(drawn, point++, position_of(mesh, line[k]), value_at(partners.fitness, line[k]), top);
+      const int first = point, own = static_cast<int>(line.size()) - is_closed(line);
+      for (int k = 0; k < own; ++k) {
+        const auto [position, normal] = place_of(layer.cm, line[k]);
+        set_point(drawn.vert[point++], position + normal * lift, normal, value_at(partners.fitness, line[k]), top);
+      }
       for (int k = 0; k + 1 < static_cast<int>(line.size()); ++k, ++segment) {
         drawn.edge[segment].V(0) = &drawn.vert[first + k];
         drawn.edge[segment].V(1) = &drawn.vert[first + (k + 1) % own];
