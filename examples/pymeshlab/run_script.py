@@ -1,0 +1,26 @@
+#!/usr/bin/env python3
+"""Run a filter script of meshlabserver, unchanged.
+
+    run_script.py PLUGIN MESH SCRIPT.mlx OUT.ply
+"""
+import sys
+
+import pymeshlab
+
+
+def main(plugin, mesh, script, out):
+    pymeshlab.load_plugin(plugin)
+    meshes = pymeshlab.MeshSet(verbose=True)
+    meshes.load_new_mesh(mesh)
+    meshes.load_filter_script(script)
+    meshes.apply_filter_script()
+    for layer in range(meshes.mesh_number()):
+        print(layer, meshes.mesh(layer).label(), meshes.mesh(layer).vertex_number(), "vertices")
+    meshes.set_current_mesh(0)
+    meshes.save_current_mesh(out)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 5:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
