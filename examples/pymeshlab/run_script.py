@@ -9,8 +9,8 @@ import pymeshlab
 
 
 def main(plugin, mesh, script, out):
-    pymeshlab.load_plugin(plugin)
     meshes = pymeshlab.MeshSet(verbose=True)
+    meshes.load_plugin(plugin)
     meshes.load_new_mesh(mesh)
     meshes.load_filter_script(script)
     meshes.apply_filter_script()
