@@ -11,8 +11,8 @@ import pymeshlab
 
 
 def main(plugin, mesh, references, out):
+    pymeshlab.load_plugin(plugin)
     meshes = pymeshlab.MeshSet()
-    meshes.load_plugin(plugin)
     meshes.load_new_mesh(mesh)
 
     found = meshes.apply_filter("compute_intrinsic_symmetry_per_vertex", references=references)

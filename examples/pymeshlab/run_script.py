@@ -9,13 +9,13 @@ import pymeshlab
 
 
 def main(plugin, mesh, script, out):
+    pymeshlab.load_plugin(plugin)
     meshes = pymeshlab.MeshSet(verbose=True)
-    meshes.load_plugin(plugin)
     meshes.load_new_mesh(mesh)
     meshes.load_filter_script(script)
     meshes.apply_filter_script()
-    for layer in range(meshes.mesh_number()):
-        print(layer, meshes.mesh(layer).label(), meshes.mesh(layer).vertex_number(), "vertices")
+    for layer in meshes:
+        print("a layer of", layer.vertex_number(), "vertices")
     meshes.set_current_mesh(0)
     meshes.save_current_mesh(out)
 
