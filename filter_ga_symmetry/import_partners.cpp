@@ -24,7 +24,11 @@ RichParameterList parameters() {
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   const std::string path = run.parameters.getOpenFileName("partners_file").toLocal8Bit().toStdString();
-  if (path.empty()) throw InvalidOption("choose the file to read the partners from");
+  if (path.empty())
+    throw InvalidOption(
+        "choose the file to read the partners from with the button beside its name; MeshLab 2020.09 does not take a "
+        "name "
+        "that is typed");
   const Partners partners = read_checked_partners(path, to_triangle_mesh(layer.cm));
   store_partners(layer, partners);
   const int matched = static_cast<int>(
