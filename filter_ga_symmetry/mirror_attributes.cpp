@@ -11,8 +11,7 @@ constexpr const char* info =
     "Carries a selection, colours, quality<br>"
     "or weights to the other side, in any<br>"
     "pose; after Find Partners. Left is<br>"
-    "where symmetry_side is +1: where you<br>"
-    "picked the pair's first vertex.";
+    "where symmetry_side is +1.";
 
 enum Attribute { kSelection, kColor, kQuality, kCustom };
 
