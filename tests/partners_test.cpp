@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "ga_symmetry/asymmetry.h"
+#include "ga_symmetry/axis.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/lines.h"
 #include "ga_symmetry/mirror.h"
+#include "ga_symmetry/sampling.h"
 #include "symmetric_shapes.h"
 
 namespace ga_symmetry {
@@ -148,6 +150,28 @@ TEST(AxisLines, OneClosedLineInThePlane) {
   const auto threads = axis_lines(c.mesh, c.partners, 3);
   ASSERT_EQ(threads[0].size(), lines[0].size());
   for (std::size_t i = 0; i < lines[0].size(); ++i) EXPECT_EQ(threads[0][i].weight, lines[0][i].weight);
+}
+
+// Landmarks on both sides, every tenth with a wrong image: no limb may change sides for it.
+TEST(LeftRightFunction, OneSideIsOneSideEverywhere) {
+  const Creature& c = creature();
+  const Surface surface = make_surface(c.mesh);
+  const GeodesicSolver solver(surface);
+  const Samples samples = evenly_spaced_samples(surface, solver, 80, 1);
+  Landmarks landmarks;
+  landmarks.from = samples.vertex;
+  for (const int v : landmarks.from) landmarks.to.push_back(c.partners.partner[v]);
+  for (std::size_t i = 5; i < landmarks.to.size(); i += 10) landmarks.to[i] = landmarks.to[i - 1];
+  const auto side =
+      sides(surface, left_right_function(surface, landmarks, samples.distance, solver.fields(landmarks.to, 1)));
+  int same = 0, other = 0, axis = 0;
+  for (int v = 0; v < surface.vertices(); ++v) {
+    if (std::abs(c.straight.mesh.position[3 * v]) < 0.2) continue;  // two edges from the axis, or nearer
+    const int product = side[v] * c.partners.side[v];
+    ++(product > 0 ? same : product < 0 ? other : axis);
+  }
+  EXPECT_EQ(std::min(same, other), 0) << same << " as by construction, " << other << " the other way";
+  EXPECT_LT(axis, 0.01 * surface.vertices());
 }
 
 TEST(AxisLines, NoneAfterARotation) {

@@ -1,5 +1,6 @@
 #include "ga_symmetry/axis.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,25 +11,32 @@ namespace {
 
 constexpr float kNear2 = 0.02f;  // squared distance, in units, within which all pairs count alike
 
-// Each pair's label, +1 if its first landmark is on the left: pairs far apart are told first and tell the others.
+// Each pair's label, +1 if its first landmark is on the left. Neighbours are on the same side; the labels that agree
+// best with all of that at once are the signs of an eigenvector, so no doubtful pair leads the others astray. Source:
+// Singer, Angular synchronization by eigenvectors and semidefinite programming, 2011; here the angles are signs.
 std::vector<float> label_pairs(const Landmarks& landmarks, const DistanceFields& from, const DistanceFields& to,
                                float unit, int left) {
   const int count = static_cast<int>(landmarks.from.size());
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
   std::vector<float> apart(count);
-  for (int i = 0; i < count; ++i) apart[i] = i == left ? INFINITY : from(i, landmarks.to[i]);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return apart[a] > apart[b]; });
-  std::vector<float> label(count, 0.f);
-  for (int n = 0; n < count; ++n) {
-    const int i = order[n], v = landmarks.from[i];
-    float vote = n == 0 ? 1.f : 0.f;
-    for (int m = 0; m < n; ++m) {
-      const int j = order[m];
-      const float a = from(j, v) / unit, b = to(j, v) / unit, near = std::min(a, b);
-      vote += label[j] * (b - a) / (near * near + kNear2);
+  for (int i = 0; i < count; ++i) apart[i] = from(i, landmarks.to[i]);
+  const double reach = unit / std::sqrt(static_cast<double>(count));  // how far apart landmarks are
+  const auto near = [&](double distance) { return std::exp(-0.5 * distance * distance / (reach * reach)); };
+  Eigen::MatrixXd agreement(count, count);
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const int v = landmarks.from[j], w = landmarks.to[j];
+      agreement(i, j) = i == j ? 0 : near(from(i, v)) + near(to(i, w)) - near(from(i, w)) - near(to(i, v));
     }
-    label[i] = vote > 0 ? 1.f : vote < 0 ? -1.f : 0.f;
+  agreement = (0.5 * (agreement + agreement.transpose())).eval();
+  Eigen::VectorXd scale = agreement.cwiseAbs().rowwise().sum();
+  for (double& x : scale) x = x > 0 ? 1 / std::sqrt(x) : 0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * agreement * scale.asDiagonal());
+  const auto vector = solver.eigenvectors().col(count - 1);
+  if (left < 0) left = static_cast<int>(std::max_element(apart.begin(), apart.end()) - apart.begin());
+  std::vector<float> label(count);
+  for (int i = 0; i < count; ++i) {
+    const double sign = vector[i] * vector[left];
+    label[i] = sign > 0 ? 1.f : sign < 0 ? -1.f : 0.f;
   }
   return label;
 }
