@@ -111,8 +111,10 @@ TEST(JointCost, TheIdentityKeepsDistancesButNotOrientation) {
   EXPECT_EQ(t.continuity, 0);
   EXPECT_EQ(t.bijectivity, 0);
   EXPECT_GT(t.orientation, 0.3);
-  EXPECT_EQ(p.displacement(identity), 0);
-  EXPECT_TRUE(std::isinf(p.evaluate(identity, 0))) << "the identity is no symmetry";
+  EXPECT_EQ(p.moved(identity), 0);
+  JointOptions o;
+  o.orientation_weight = 0;
+  EXPECT_TRUE(std::isinf(problem(o).evaluate(identity, 0))) << "the identity is no symmetry";
 }
 
 TEST(JointCost, IsTheWeightedSumOfItsTerms) {
@@ -154,9 +156,67 @@ TEST(BestResponse, MovesNoFartherThanItsRadius) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LE(scene().sites.distance(before[i], after[i]), 0.1f);
 }
 
+TEST(RelocateOutliers, BringsBackAStrayGeneFromAnywhere) {
+  const Sites& s = scene().sites;
+  JointOptions o;
+  o.orientation_weight = 0;  // so that the identity fits
+  const JointProblem p = problem(o);
+  SampleMap identity(s.samples);
+  for (int i = 0; i < s.samples; ++i) identity[i] = i;
+  Eigen::Index far;
+  s.distance.row(7).maxCoeff(&far);
+  SampleMap map = identity;
+  map[7] = static_cast<int>(far);
+  EXPECT_GE(p.relocate_outliers(map), 1);
+  EXPECT_LT(s.distance(map[7], 7), 0.25f);
+}
+
+TEST(RuinAndRecreate, ARegionComesBackFromWhatIsLeft) {
+  const Sites& s = scene().sites;
+  JointOptions o;
+  o.orientation_weight = 0;  // so that the identity fits
+  const JointProblem p = problem(o);
+  SampleMap map(s.samples);
+  for (int i = 0; i < s.samples; ++i) map[i] = s.distance(i, 7) < 0.3f ? -1 : i;
+  const auto lost = std::count(map.begin(), map.end(), -1);
+  ASSERT_GT(lost, 3);
+  p.recreate(map);
+  double off = 0;
+  for (int i = 0; i < s.samples; ++i) {
+    ASSERT_GE(map[i], 0);
+    off += s.distance(map[i], i) / static_cast<double>(lost);
+  }
+  EXPECT_LT(off, 0.2);
+}
+
+TEST(RuinAndRecreate, AWholeMapIsLeftAlone) {
+  const JointProblem p = problem({});
+  SampleMap map = random_map(4);
+  const SampleMap before = map;
+  p.recreate(map);
+  EXPECT_EQ(map, before);
+}
+
+TEST(Variation, RuinLeavesHalfOfTheGenes) {
+  JointOptions o;
+  o.ruin_probability = 1;
+  o.mutation_probability = 0;
+  const JointProblem p = problem(o);
+  Population<SampleMap> parents;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) parents.push_back({random_map(seed), 1.0, true});
+  Random random(5);
+  const auto children = p.vary(parents, z_scores(costs_of(parents)), random);
+  ASSERT_FALSE(children.empty());
+  for (const auto& child : children) {
+    const auto lost = std::count(child.genome.begin(), child.genome.end(), -1);
+    EXPECT_GT(lost, 0);
+    EXPECT_LE(lost, scene().sites.samples / 2);
+  }
+}
+
 TEST(Variation, ChildrenAreMadeOfTheirParents) {
   JointOptions o;
-  o.mutation_probability = 0;
+  o.mutation_probability = o.ruin_probability = 0;
   const JointProblem p = problem(o);
   Population<SampleMap> parents;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) parents.push_back({random_map(seed), 1.0 * seed, true});
@@ -174,7 +234,7 @@ TEST(Variation, MutationReachesEverySite) {
   o.mutation_probability = 1;
   const JointProblem p = problem(o);
   Population<SampleMap> parents;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) parents.push_back({random_map(1), 1.0, true});
+  for (int i = 0; i < 100; ++i) parents.push_back({random_map(1), 1.0, true});
   Random random(5);
   std::set<int> seen;
   for (const auto& child : p.vary(parents, z_scores(costs_of(parents)), random))

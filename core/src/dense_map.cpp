@@ -20,9 +20,12 @@ struct Weighting {
   float near2, power;
 };
 constexpr Weighting kCoarse{0.02f, 2.f}, kFine{0.005f, 3.f};
+// Of the curvature's mean squared difference, against that of the distances in units^2.
+constexpr float kCurvatureWeight = 0.012f;
 
 // Features of the vertices as points to be matched: vertex-major, so that one comparison is one contiguous pass.
 struct Features {
+  int distances = 0;  // that many come first, then the curvature
   int dimension = 0;
   std::vector<float> source, target;  // n x dimension: d(v, from) against d(c, to)
   const float* of(const std::vector<float>& data, int v) const {
@@ -30,10 +33,12 @@ struct Features {
   }
 };
 
-Features make_features(const DistanceFields& from, const DistanceFields& to, float unit, bool both_ways) {
+Features make_features(const DistanceFields& from, const DistanceFields& to, const CurvatureFeatures& curvature,
+                       float unit, bool both_ways) {
   const int landmarks = static_cast<int>(from.rows()), n = static_cast<int>(from.cols());
   Features f;
-  f.dimension = (both_ways ? 2 : 1) * landmarks;
+  f.distances = (both_ways ? 2 : 1) * landmarks;
+  f.dimension = f.distances + kCurvatureFeatures;
   f.source.resize(static_cast<std::size_t>(n) * f.dimension);
   f.target.resize(f.source.size());
   const float scale = 1 / unit;
@@ -47,31 +52,34 @@ Features make_features(const DistanceFields& from, const DistanceFields& to, flo
         source[i] = a, target[i] = b;
         if (both_ways) source[landmarks + i] = b, target[landmarks + i] = a;
       }
+  for (int v = 0; v < n; ++v)
+    for (int k = 0; k < kCurvatureFeatures; ++k) {
+      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + f.distances + k;
+      f.source[at] = f.target[at] = curvature(v, k);
+    }
   return f;
 }
 
 class Matcher {
  public:
   Matcher(const Surface& surface, const Features& features, Weighting weighting)
-      : surface_(surface), features_(features), weighting_(weighting), weight_(features.dimension) {}
+      : surface_(surface), features_(features), weighting_(weighting), weight_(features.dimension) {
+    std::fill(weight_.begin() + features.distances, weight_.end(), kCurvatureWeight / kCurvatureFeatures);
+  }
 
   void look_at(int v) {
     source_ = features_.of(features_.source, v);
     float sum = 0;
-    for (int i = 0; i < features_.dimension; ++i) {
+    for (int i = 0; i < features_.distances; ++i) {
       const float x = source_[i] * source_[i] + weighting_.near2;
       sum += weight_[i] = weighting_.power == 2.f ? 1 / x : 1 / (x * std::sqrt(x));
     }
-    for (float& w : weight_) w /= sum;
+    for (int i = 0; i < features_.distances; ++i) weight_[i] /= sum;
   }
   float error(int c) const {
-    const float* target = features_.of(features_.target, c);
-    float sum = 0;
-    for (int i = 0; i < features_.dimension; ++i) {
-      const float e = source_[i] - target[i];
-      sum += e * e * weight_[i];
-    }
-    return sum;
+    using Row = Eigen::Map<const Eigen::ArrayXf>;
+    const int d = features_.dimension;
+    return ((Row(source_, d) - Row(features_.of(features_.target, c), d)).square() * Row(weight_.data(), d)).sum();
   }
   /// Walks downhill over edges. @return the local minimum
   int descend(int c, float& least) {
@@ -115,24 +123,20 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
   });
 }
 
-// The nearest landmarks of each vertex: where its search may start.
-std::vector<std::array<int, 3>> nearest_landmarks(const DistanceFields& fields) {
-  const int n = static_cast<int>(fields.cols()), count = static_cast<int>(fields.rows());
-  std::vector<std::array<int, 3>> nearest(n, {-1, -1, -1});
-  std::vector<std::array<float, 3>> at(n, {INFINITY, INFINITY, INFINITY});
-  for (int i = 0; i < count; ++i)
-    for (int v = 0; v < n; ++v) {
-      float d = fields(i, v);
-      int label = i;
-      for (int k = 0; k < 3; ++k)
-        if (d < at[v][k]) std::swap(d, at[v][k]), std::swap(label, nearest[v][k]);
-    }
-  return nearest;
+// The landmarks nearest to a vertex: where its search may start.
+std::vector<int> nearest_landmarks(const DistanceFields& fields, int v) {
+  std::vector<int> order(fields.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto last = order.begin() + std::min<std::ptrdiff_t>(3, fields.rows());
+  std::partial_sort(order.begin(), last, order.end(),
+                    [&](int a, int b) { return fields(a, v) != fields(b, v) ? fields(a, v) < fields(b, v) : a < b; });
+  order.erase(last, order.end());
+  return order;
 }
 
 // Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
-void match(const Surface& surface, const Features& features, const Landmarks& landmarks,
-           const std::vector<std::array<int, 3>>& nearest, DenseMap& map, int threads, const Context& context) {
+void match(const Surface& surface, const Features& features, const Landmarks& landmarks, const DistanceFields& fields,
+           DenseMap& map, int threads, const Context& context) {
   const int n = surface.vertices();
   map.partner.assign(n, -1);
   map.residual.assign(n, INFINITY);
@@ -142,8 +146,7 @@ void match(const Surface& surface, const Features& features, const Landmarks& la
     if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
   };
   for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
-    for (int i : nearest[v])
-      if (i >= 0) try_from(matcher, v, landmarks.to[i]);
+    for (int i : nearest_landmarks(fields, v)) try_from(matcher, v, landmarks.to[i]);
   });
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
@@ -217,53 +220,18 @@ double position_uncertainty(const Surface& surface, const Features& features, co
   return std::sqrt(residual * (1 / std::max(1e-3, information(0, 0)) + 1 / std::max(1e-3, information(1, 1))));
 }
 
-// Terms of the joint cost between the landmarks, at vertices.
-void rate(const Surface& surface, const DistanceFields& fields, bool reflection, int threads, RefinedLandmarks& r) {
-  constexpr int kNeighbors = 8;
-  constexpr float kCap = 0.25f;
-  const Landmarks& m = r.landmarks;
-  const int count = static_cast<int>(m.from.size());
-  const float unit = static_cast<float>(surface.unit());
-  const auto [from_x, from_y] = directions(surface, m.from, fields, threads);
-  const auto [to_x, to_y] = directions(surface, m.to, r.to_field, threads);
-  for (int i = 0; i < count; ++i) {
-    std::vector<std::pair<float, int>> near;
-    for (int j = 0; j < count; ++j) {
-      const float d = fields(j, m.from[i]) / unit, e = r.to_field(j, m.to[i]) / unit - d;
-      r.distance += std::min(kCap, e * e / (d * d + kCoarse.near2));
-      if (d > 0) near.push_back({d, j});
-    }
-    const int used = std::min<int>(kNeighbors, static_cast<int>(near.size()));
-    std::partial_sort(near.begin(), near.begin() + used, near.end());
-    float re = 0, im = 0, torn = 0;
-    for (int k = 0; k < used; ++k) {
-      const auto [d, j] = near[k];
-      const float a = to_x(i, j), b = to_y(i, j), x = from_x(i, j), y = (reflection ? 1.f : -1.f) * from_y(i, j);
-      re += a * x - b * y;
-      im += a * y + b * x;
-      const float e = (r.to_field(j, m.to[i]) / unit - d) / d;
-      torn += std::min(1.f, e * e);
-    }
-    r.orientation += 1 - std::sqrt(re * re + im * im) / used;
-    r.continuity += torn / used;
-  }
-  r.distance /= static_cast<double>(count) * count;
-  r.orientation /= count;
-  r.continuity /= count;
-}
-
 }  // namespace
 
 RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& solver, RefinedLandmarks start,
-                                  const DistanceFields& fields, const RefineOptions& options, int threads,
-                                  const Context& context) {
+                                  const DistanceFields& fields, const CurvatureFeatures& curvature,
+                                  const RefineOptions& options, int threads, const Context& context) {
   RefinedLandmarks out = std::move(start);
   const float unit = static_cast<float>(surface.unit());
   std::vector<int>& to = out.landmarks.to;
   const int movable = static_cast<int>(to.size()) - options.fixed;
   for (int round = 0; round < options.rounds; ++round) {
-    const Features features = make_features(fields, out.to_field, unit, options.reflection);
-    Matcher matcher(surface, features, kCoarse);
+    const Features features = make_features(fields, out.to_field, curvature, unit, options.reflection);
+    Matcher matcher(surface, features, options.fine ? kFine : kCoarse);
     std::vector<int> moved, sources;
     for (int i = 0; i < movable; ++i) {
       matcher.look_at(out.landmarks.from[i]);
@@ -278,16 +246,36 @@ RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& 
     const DistanceFields field = solver.fields(sources, threads, context);
     for (std::size_t k = 0; k < moved.size(); ++k) out.to_field.row(moved[k]) = field.row(static_cast<int>(k));
   }
-  out.distance = out.orientation = out.continuity = 0;
-  rate(surface, fields, options.reflection, threads, out);
+  return out;
+}
+
+Probes match_probes(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
+                    const CurvatureFeatures& curvature, const std::vector<int>& vertices, bool reflection) {
+  const Features features =
+      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), reflection);
+  Matcher matcher(surface, features, kFine);
+  Probes out;
+  for (int v : vertices) {
+    matcher.look_at(v);
+    float least = INFINITY;
+    int partner = v;
+    for (int i : nearest_landmarks(fields, v)) {
+      float error;
+      const int c = matcher.descend(refined.landmarks.to[i], error);
+      if (error < least) least = error, partner = c;
+    }
+    out.partner.push_back(partner);
+    out.error.push_back(least);
+  }
   return out;
 }
 
 DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                        bool reflection, int threads, const Context& context) {
+                        const CurvatureFeatures& curvature, bool reflection, int threads, const Context& context) {
   DenseMap map;
-  const Features features = make_features(fields, refined.to_field, static_cast<float>(surface.unit()), reflection);
-  match(surface, features, refined.landmarks, nearest_landmarks(fields), map, threads, context);
+  const Features features =
+      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), reflection);
+  match(surface, features, refined.landmarks, fields, map, threads, context);
   map.point.resize(surface.vertices());
   map.uncertainty.resize(surface.vertices());
   for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {

@@ -23,12 +23,19 @@ constexpr float kLocal = 0.25f;  // radius in which a child's genes look for bet
 constexpr double kDistinctSeeds = 0.15;
 constexpr double kSame = 0.02;     // maps closer than this are one
 constexpr double kDistinct = 0.1;  // maps farther apart than this are different symmetries
-constexpr double kTrivial = 0.08;  // a map that moves samples by less is the identity
-constexpr int kSurvivors = 10;
+constexpr double kMoved2 = 0.02;   // squared distance at which a partner is plainly not oneself
+constexpr double kTrivial = 0.1;   // a map that moves a smaller share is the identity
+constexpr int kSurvivors = 30;
 
 constexpr float kEverywhere = kInfinity;  // best_response among all samples
 
 float squared(float x) { return x * x; }
+
+// Sum of the weighted squared differences, each capped.
+float capped_error(const float* a, const float* b, const float* weight, int n) {
+  using Row = Eigen::Map<const Eigen::ArrayXf>;
+  return ((Row(a, n) - Row(b, n)).square() * Row(weight, n)).min(kCap).sum();
+}
 
 }  // namespace
 
@@ -90,22 +97,29 @@ float JointProblem::orientation_error(const SampleMap& map, int i, int k) const 
   // all neighbours; the length of their mean says how well that holds.
   const float sign = kind_ == SymmetryKind::reflection ? 1.f : -1.f;
   float re = 0, im = 0;
+  float known = 0;
   for (int j : sites_.neighbors[i]) {
+    if (map[j] < 0) continue;
+    const float w = 1 / squared(sites_.distance(i, j));
+    known += w;
     const float a = sites_.cosine(k, map[j]), b = sites_.sine(k, map[j]);
     const float x = sites_.cosine(i, j), y = sign * sites_.sine(i, j);
-    re += a * x - b * y;
-    im += a * y + b * x;
+    re += w * (a * x - b * y);
+    im += w * (a * y + b * x);
   }
-  return 1 - std::sqrt(re * re + im * im) / static_cast<float>(sites_.neighbors[i].size());
+  return known ? 1 - std::sqrt(re * re + im * im) / known : 0;
 }
 
 float JointProblem::continuity_error(const SampleMap& map, int i, int k) const {
   float sum = 0;
+  int known = 0;
   for (int j : sites_.neighbors[i]) {
+    if (map[j] < 0) continue;
+    ++known;
     const float d = sites_.distance(i, j);
     sum += std::min(1.f, squared((sites_.distance(k, map[j]) - d) / d));
   }
-  return sum / static_cast<float>(sites_.neighbors[i].size());
+  return known ? sum / static_cast<float>(known) : 0;
 }
 
 float JointProblem::bijectivity_error(const SampleMap& map, int i, int k) const {
@@ -139,52 +153,126 @@ double JointProblem::total(const CostTerms& t) const {
          options_.continuity_weight * t.continuity + t.unary + options_.bijectivity_weight * t.bijectivity;
 }
 
-int JointProblem::best_response(SampleMap& map, float radius) const {
-  const int n = sites_.samples, count = sites_.count();
-  // image(k, j): distance from site k to the partner of sample j, contiguous in j for the inner loop.
-  thread_local std::vector<float> image;
-  image.resize(static_cast<std::size_t>(n) * count);
-  for (int k = 0; k < count; ++k) {
-    const float* row = sites_.distance.row(k).data();
-    float* out = &image[static_cast<std::size_t>(k) * n];
-    for (int j = 0; j < n; ++j) out[j] = row[map[j]];
+// What one gene costs, given all others; kept up to date as genes change.
+class JointProblem::Response {
+ public:
+  Response(const JointProblem& problem, const SampleMap& map) : p_(problem), sites_(problem.sites_) {
+    const int n = sites_.samples, count = sites_.count();
+    // Distance from site k to the partner of sample j, contiguous in j for the inner loop.
+    image().resize(static_cast<std::size_t>(n) * count);
+    for (int k = 0; k < count; ++k) {
+      const float* row = sites_.distance.row(k).data();
+      float* out = &image()[static_cast<std::size_t>(k) * n];
+      for (int j = 0; j < n; ++j) out[j] = row[map[j]];
+    }
+    const JointOptions& o = problem.options_;  // a pair of samples counts twice in the cost: once for each
+    distance_weight_ = static_cast<float>(2 * o.distance_weight) / static_cast<float>(n);
+    orientation_weight_ = static_cast<float>(problem.oriented_ ? 2 * o.orientation_weight : 0);
+    continuity_weight_ = static_cast<float>(2 * o.continuity_weight);
+    bijectivity_weight_ = static_cast<float>(2 * o.bijectivity_weight);
   }
-  const float distance_weight = static_cast<float>(2 * options_.distance_weight) / static_cast<float>(n);
-  const float orientation_weight = static_cast<float>(oriented_ ? 2 * options_.orientation_weight : 0);
-  const float continuity_weight = static_cast<float>(2 * options_.continuity_weight);
-  const float bijectivity_weight = static_cast<float>(2 * options_.bijectivity_weight);
+  /// Cost of gene i at site k; anything >= `limit` once it is known to be that.
+  float cost(const SampleMap& map, int i, int k, float limit) const {
+    const int n = sites_.samples;
+    const float* to = &image()[static_cast<std::size_t>(k) * n];
+    float total = distance_weight_ * capped_error(sites_.distance.row(i).data(), to, p_.weight_.row(i).data(), n) +
+                  p_.unary_(i, k);
+    if (total >= limit) return total;
+    if (orientation_weight_ > 0) total += orientation_weight_ * p_.orientation_error(map, i, k);
+    if (total >= limit) return total;
+    return total + continuity_weight_ * p_.continuity_error(map, i, k) +
+           bijectivity_weight_ * p_.bijectivity_error(map, i, k);
+  }
+  void set(SampleMap& map, int i, int k) {
+    map[i] = k;
+    for (int j = 0; j < sites_.count(); ++j)
+      image()[static_cast<std::size_t>(j) * sites_.samples + i] = sites_.distance(j, k);
+  }
+
+ private:
+  static std::vector<float>& image() {
+    thread_local std::vector<float> table;  // one per thread: no allocation per individual
+    return table;
+  }
+  const JointProblem& p_;
+  const Sites& sites_;
+  float distance_weight_, orientation_weight_, continuity_weight_, bijectivity_weight_;
+};
+
+int JointProblem::best_response(SampleMap& map, float radius) const {
+  Response response(*this, map);
   int changed = 0;
-  for (int i = 0; i < n; ++i) {
-    const float* row = sites_.distance.row(i).data();
-    const float* weight = weight_.row(i).data();
-    float least = kInfinity;
+  for (int i = 0; i < sites_.samples; ++i) {
     int best = map[i];
+    float least = response.cost(map, i, best, kInfinity);
     const auto consider = [&](int k) {
-      float sum = 0;
-      const float* to = &image[static_cast<std::size_t>(k) * n];
-      for (int j = 0; j < n; ++j) sum += std::min(kCap, squared(row[j] - to[j]) * weight[j]);
-      float total = distance_weight * sum + unary_(i, k);  // a pair of samples counts twice in the cost: once for each
-      if (total >= least) return;
-      if (orientation_weight > 0) total += orientation_weight * orientation_error(map, i, k);
-      if (total >= least) return;
-      total += continuity_weight * continuity_error(map, i, k) + bijectivity_weight * bijectivity_error(map, i, k);
-      if (total < least) least = total, best = k;
+      const float cost = response.cost(map, i, k, least);
+      if (cost < least) least = cost, best = k;
     };
-    consider(map[i]);
     if (radius == kEverywhere) {
-      for (int k = 0; k < n; ++k) consider(k);
+      for (int k = 0; k < sites_.samples; ++k) consider(k);
     } else {
       for (int k : near_sites_[map[i]]) {
         if (sites_.distance(map[i], k) > radius) break;
         consider(k);
       }
     }
-    if (best == map[i]) continue;
-    map[i] = best;
-    ++changed;
-    for (int k = 0; k < count; ++k) image[static_cast<std::size_t>(k) * n + i] = sites_.distance(k, best);
+    if (best != map[i]) response.set(map, i, best), ++changed;
   }
   return changed;
+}
+
+int JointProblem::relocate_outliers(SampleMap& map) const {
+  Response response(*this, map);
+  std::vector<double> costs(sites_.samples);
+  for (int i = 0; i < sites_.samples; ++i) costs[i] = response.cost(map, i, map[i], kInfinity);
+  const std::vector<double> z = z_scores(costs);
+  int changed = 0;
+  for (int i = 0; i < sites_.samples; ++i) {
+    if (z[i] <= options_.outlier_z) continue;
+    int best = map[i];
+    float least = response.cost(map, i, best, kInfinity);
+    for (int k = 0; k < sites_.count(); ++k) {
+      const float cost = response.cost(map, i, k, least);
+      if (cost < least) least = cost, best = k;
+    }
+    if (best != map[i]) response.set(map, i, best), ++changed;
+  }
+  return changed;
+}
+
+void JointProblem::recreate(SampleMap& map) const {
+  const int n = sites_.samples, count = sites_.count();
+  std::vector<int> kept, lost;
+  for (int i = 0; i < n; ++i) (map[i] < 0 ? lost : kept).push_back(i);
+  if (lost.empty() || kept.empty()) return;
+  // From the rim inwards, so that each finds neighbours.
+  std::vector<float> inside(n, kInfinity);
+  for (int i : lost)
+    for (int j : kept) inside[i] = std::min(inside[i], sites_.distance(i, j));
+  std::stable_sort(lost.begin(), lost.end(), [&](int a, int b) { return inside[a] < inside[b]; });
+  std::vector<float> error(count), row, to, weight;
+  for (int i : lost) {
+    const int m = static_cast<int>(kept.size());
+    row.resize(m), to.resize(m), weight.resize(m);
+    for (int j = 0; j < m; ++j) row[j] = sites_.distance(i, kept[j]), weight[j] = weight_(i, kept[j]);
+    float least = kInfinity;
+    int best = i;
+    for (int k = 0; k < count; ++k) {
+      const float* image = sites_.distance.row(k).data();
+      for (int j = 0; j < m; ++j) to[j] = image[map[kept[j]]];
+      float total = static_cast<float>(2 * options_.distance_weight) *
+                        capped_error(row.data(), to.data(), weight.data(), m) / static_cast<float>(m) +
+                    unary_(i, k);
+      if (total >= least) continue;
+      if (oriented_) total += static_cast<float>(2 * options_.orientation_weight) * orientation_error(map, i, k);
+      if (total >= least) continue;
+      total += static_cast<float>(2 * options_.continuity_weight) * continuity_error(map, i, k);
+      if (total < least) least = total, best = k;
+    }
+    map[i] = best;
+    kept.push_back(i);
+  }
 }
 
 SampleMap JointProblem::polar_map(int p, int q, double angle) const {
@@ -199,12 +287,10 @@ SampleMap JointProblem::polar_map(int p, int q, double angle) const {
     }
     const float d = sites_.distance(p, j), x = sites_.cosine(p, j), y = sign * sites_.sine(p, j);
     const float re = turn_re * x - turn_im * y, im = turn_re * y + turn_im * x, scale = 1 / (d * d + kNear2);
-    float least = kInfinity;
-    for (int k = 0; k < n; ++k) {  // coarse: among the samples
-      const float agreement = re * sites_.cosine(q, k) + im * sites_.sine(q, k);
-      const float error = squared(d - sites_.distance(q, k)) * scale + 0.25f * (1 - agreement) + unary_(j, k);
-      if (error < least) least = error, map[j] = k;
-    }
+    const auto agreement = re * sites_.cosine.row(q).head(n).array() + im * sites_.sine.row(q).head(n).array();
+    ((d - sites_.distance.row(q).head(n).array()).square() * scale + 0.25f * (1 - agreement) +
+     unary_.row(j).head(n).array())
+        .minCoeff(&map[j]);  // coarse: among the samples
   }
   return map;
 }
@@ -215,17 +301,21 @@ double JointProblem::difference(const SampleMap& a, const SampleMap& b) const {
   return sum / static_cast<double>(a.size());
 }
 
-double JointProblem::displacement(const SampleMap& map) const {
+double JointProblem::moved(const SampleMap& map) const {
   double sum = 0;
-  for (std::size_t i = 0; i < map.size(); ++i) sum += sites_.distance(static_cast<int>(i), map[i]);
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const double d2 = squared(sites_.distance(static_cast<int>(i), map[i]));
+    sum += d2 / (d2 + kMoved2);
+  }
   return sum / static_cast<double>(map.size());
 }
 
 double JointProblem::evaluate(SampleMap& map, int) const {
+  recreate(map);
   for (int sweep = 0; sweep < 2; ++sweep)
-    if (!best_response(map, kLocal)) break;
-  if (displacement(map) < kTrivial) return kInfinity;
-  return cost(map);
+    if (!best_response(map, kLocal) && !relocate_outliers(map)) break;
+  const double share = moved(map);
+  return share < kTrivial ? kInfinity : cost(map) / (share * share);
 }
 
 double JointProblem::best(const Population<SampleMap>& population) const {
@@ -241,11 +331,13 @@ Population<SampleMap> JointProblem::vary(const Population<SampleMap>& population
   for (int k = 0; k < count; ++k) {
     SampleMap child = population[k].genome;
     const SampleMap& mate = population[tournament(z_errors, 2, random)].genome;
-    // A geodesic disc of samples from the mate: limbs are exchanged whole.
+    // A geodesic disc of samples is made anew, or comes from the mate: limbs are exchanged whole.
     const int center = static_cast<int>(draw_below(random, n));
     const float radius = static_cast<float>(0.15 + 0.85 * draw_unit(random));
+    const bool ruin = draw_unit(random) < options_.ruin_probability;
     for (int i = 0; i < n; ++i)
-      if (sites_.distance(center, i) <= radius) child[i] = mate[i];
+      if (sites_.distance(center, i) <= radius) child[i] = ruin ? -1 : mate[i];
+    if (std::count(child.begin(), child.end(), -1) > n / 2) continue;
     for (int i = 0; i < n; ++i)
       if (draw_unit(random) < options_.mutation_probability)
         child[i] = static_cast<int>(draw_below(random, sites_.count()));
@@ -345,7 +437,7 @@ JointResult search_joint(const JointProblem& problem, const JointOptions& option
   Population<SampleMap> population = seed_population(problem, options.population, threads, context);
   GeneticOptions genetic;
   genetic.max_generations = options.max_generations;
-  genetic.stall_generations = 8;
+  genetic.stall_generations = 20;
   genetic.success_threshold = 0;
   genetic.threads = threads;
   GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ga_symmetry/curvature.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/parallel.h"
 
@@ -58,24 +59,6 @@ std::vector<RingVertex> flattened_ring(const Surface& s, int v) {
     ring[i].at = {length * std::cos(angle[i] * stretch), length * std::sin(angle[i] * stretch)};
   }
   return ring;
-}
-
-// Mean curvature integrated over each vertex's cell (cotangent formula), >0 where convex.
-std::vector<double> integrated_mean_curvature(const Surface& s) {
-  const int n = s.vertices();
-  std::vector<Eigen::Vector3d> laplacian(n, Eigen::Vector3d::Zero()), normal(n, Eigen::Vector3d::Zero());
-  for (int corner = 0; corner < 3 * s.triangles(); ++corner) {
-    const int v = s.triangle[corner], a = s.triangle[next_corner(corner)], b = s.triangle[previous_corner(corner)];
-    const Eigen::Vector3d p(s.point(v)), pa(s.point(a)), pb(s.point(b)), u = pa - p, w = pb - p, cross = u.cross(w);
-    // Needles would dominate everything around them.
-    const double cotangent = std::clamp(u.dot(w) / cross.norm(), -20.0, 20.0);
-    laplacian[a] += 0.5 * cotangent * (pb - pa);
-    laplacian[b] -= 0.5 * cotangent * (pb - pa);
-    normal[v] += cross;
-  }
-  std::vector<double> out(n);
-  for (int v = 0; v < n; ++v) out[v] = -laplacian[v].dot(normal[v].normalized());
-  return out;
 }
 
 // Averages over geodesic discs around each site: how large they are, and how curved.

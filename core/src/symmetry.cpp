@@ -9,9 +9,11 @@
 #include <string>
 
 #include "ga_symmetry/axis.h"
+#include "ga_symmetry/curvature.h"
 #include "ga_symmetry/dense_map.h"
 #include "ga_symmetry/joint.h"
 #include "ga_symmetry/pairs.h"
+#include "ga_symmetry/parallel.h"
 #include "ga_symmetry/sites.h"
 #include "ga_symmetry/surface.h"
 
@@ -36,6 +38,7 @@ namespace {
 constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
+constexpr double kMoved2 = 0.01;  // squared distance, in units, at which a partner is plainly not oneself
 
 [[noreturn]] void out_of_range(const char* name, double value, const char* range) {
   char text[160];
@@ -239,38 +242,42 @@ struct Candidate {
   double score = 0;
 };
 
-// The survivors of the search at vertex resolution, best first.
-//
-// A thin shape is nearly its own mirror image from front to back, and any shape is its own identity: distortion is
-// evidence only in proportion to how far the map moves the points.
-std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolver& solver, const Sites& sites,
-                                      const JointProblem& problem, const JointResult& search,
-                                      const std::vector<Anchor>& anchors, const DistanceFields& from,
-                                      const Options& options, const Context& context) {
-  constexpr std::size_t kCandidates = 4;
-  std::vector<Candidate> out;
-  for (std::size_t i = 0; i < search.maps.size(); ++i) {
-    Candidate& candidate = out.emplace_back();
-    candidate.map = static_cast<int>(i);
-    candidate.score = search.costs[i] / problem.displacement(search.maps[i]);
+// How badly distances and curvature agree under a map: root mean square over the sites, which are as good as evenly
+// spaced vertices, and relative to how far it moves them. Any shape is its own identity, and a thin one is nearly its
+// own mirror image from front to back: agreement is evidence only where points are moved.
+double disagreement(const Surface& surface, const Sites& sites, const RefinedLandmarks& landmarks,
+                    const DistanceFields& from, const CurvatureFeatures& curvature, bool reflection) {
+  const Probes probes = match_probes(surface, landmarks, from, curvature, sites.vertex, reflection);
+  double error = 0, moved = 0;
+  for (int k = 0; k < sites.count(); ++k) {
+    error += probes.error[k];
+    const double d2 = std::pow(sites.field(k, probes.partner[k]) / surface.unit(), 2);
+    moved += d2 / (d2 + kMoved2);
   }
+  moved /= sites.count();
+  return std::sqrt(error / sites.count()) / (moved * moved);
+}
+
+// The survivors of the search, best first; the first few at vertex resolution.
+std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolver& solver, const Sites& sites,
+                                      const JointResult& search, const std::vector<Anchor>& anchors,
+                                      const DistanceFields& from, const CurvatureFeatures& curvature,
+                                      const RefineOptions& refine, const Options& options, const Context& context) {
+  constexpr std::size_t kRefined = 3;
+  std::vector<Candidate> out(search.maps.size());
+  const DistanceFields images = anchor_fields(solver, anchors, &Anchor::image, options.threads);
+  parallel_for(static_cast<int>(out.size()), options.threads, [&](int i, int) {
+    out[i].map = i;
+    out[i].score = disagreement(surface, sites, make_landmarks(sites, search.maps[i], anchors, images), from, curvature,
+                                refine.reflection);
+  });
   const auto by_score = [](const Candidate& a, const Candidate& b) { return a.score < b.score; };
   std::stable_sort(out.begin(), out.end(), by_score);
-  if (out.size() > kCandidates) out.resize(kCandidates);
-  const DistanceFields images = anchor_fields(solver, anchors, &Anchor::image, options.threads);
-  RefineOptions refine;
-  refine.fixed = static_cast<int>(anchors.size());
-  refine.reflection = options.symmetry == SymmetryKind::reflection;
+  out.resize(std::min(kRefined, out.size()));
   for (Candidate& c : out) {
-    const SampleMap& map = search.maps[c.map];
-    c.refined = refine_landmarks(surface, solver, make_landmarks(sites, map, anchors, images), from, refine,
-                                 options.threads, context);
-    CostTerms terms = problem.terms(map);
-    terms.distance = c.refined.distance;
-    terms.orientation = c.refined.orientation;
-    terms.continuity = c.refined.continuity;
-    terms.bijectivity = 0;
-    c.score = problem.total(terms) / problem.displacement(map);
+    c.refined = refine_landmarks(surface, solver, make_landmarks(sites, search.maps[c.map], anchors, images), from,
+                                 curvature, refine, options.threads, context);
+    c.score = disagreement(surface, sites, c.refined, from, curvature, refine.reflection);
   }
   std::stable_sort(out.begin(), out.end(), by_score);
   return out;
@@ -296,21 +303,23 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   DistanceFields from(sites.samples + static_cast<int>(anchors.size()), surface.vertices());
   from.topRows(sites.samples) = sites.field.topRows(sites.samples);
   from.bottomRows(static_cast<int>(anchors.size())) = anchor_fields(solver, anchors, &Anchor::vertex, options.threads);
+  RefineOptions refine;
+  refine.fixed = static_cast<int>(anchors.size());
+  refine.reflection = reflection;
+  const CurvatureFeatures curvature = curvature_features(surface);
   std::vector<Candidate> ranking =
-      rank_survivors(surface, solver, sites, problem, search, anchors, from, options, context);
+      rank_survivors(surface, solver, sites, search, anchors, from, curvature, refine, options, context);
   for (const Candidate& c : ranking)
     result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[c.map]), c.score});
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
   result.order = result.symmetries[0].order;
-  RefineOptions refine;
-  refine.fixed = static_cast<int>(anchors.size());
-  refine.reflection = reflection;
-  const RefinedLandmarks refined =
-      refine_landmarks(surface, solver, std::move(ranking[0].refined), from, refine, options.threads, context);
+  refine.fine = true;
+  const RefinedLandmarks refined = refine_landmarks(surface, solver, std::move(ranking[0].refined), from, curvature,
+                                                    refine, options.threads, context);
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");
-  DenseMap map = make_dense_map(surface, refined, from, reflection, options.threads, context);
+  DenseMap map = make_dense_map(surface, refined, from, curvature, reflection, options.threads, context);
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");

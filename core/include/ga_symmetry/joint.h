@@ -49,14 +49,22 @@ class JointProblem {
   /// @return genes changed
   int best_response(SampleMap& map, float radius) const;
 
+  /// The genes that fit far worse than the others (the paper's outliers) take the best of all sites.
+  /// @return genes changed
+  int relocate_outliers(SampleMap& map) const;
+
+  /// Genes that are -1 take, from the rim of their region inwards, the site that is best given the genes known so far
+  /// ("ruin and recreate", Schrimpf et al. 2000). Leaves a map without a known gene as it is.
+  void recreate(SampleMap& map) const;
+
   /// The whole map that follows from taking sample p to site q, turned by `angle`: every other sample goes to the site
   /// that is as far from q, in the mirrored (or, for a rotation, same) direction.
   SampleMap polar_map(int p, int q, double angle) const;
 
   /// Mean distance between two maps' partners, in units.
   double difference(const SampleMap& a, const SampleMap& b) const;
-  /// Mean distance by which a map moves the samples, in units.
-  double displacement(const SampleMap& map) const;
+  /// Share of the samples that a map moves, [0,1): those near their partners count in part.
+  double moved(const SampleMap& map) const;
 
   // What evolve() asks for.
   double evaluate(SampleMap& map, int worker) const;
@@ -70,6 +78,7 @@ class JointProblem {
   std::vector<std::array<int, 2>> seeds() const;
 
  private:
+  class Response;
   float orientation_error(const SampleMap& map, int sample, int site) const;
   float continuity_error(const SampleMap& map, int sample, int site) const;
   float bijectivity_error(const SampleMap& map, int sample, int site) const;

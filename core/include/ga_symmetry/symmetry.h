@@ -54,10 +54,12 @@ struct JointOptions {
   int population = 80;                 ///< [4, 10000]
   int max_generations = 40;            ///< [0, 10000]
   double mutation_probability = 0.01;  ///< per gene and generation, [0,1]
+  double ruin_probability = 0.4;       ///< of a child to lose a region and have it made anew, [0,1]
+  double outlier_z = 1.96;             ///< a gene whose cost has a Z-score above looks at all sites, >= 0
   double distance_weight = 3;          ///< of the terms of the cost, each >= 0
   double orientation_weight = 1;
   double continuity_weight = 0.3;
-  double descriptor_weight = 0.3;
+  double descriptor_weight = 1;
   double bijectivity_weight = 0.1;
   double reference_weight = 1;
 };

@@ -1,0 +1,24 @@
+// Mean curvature of a surface, raw and as features to be matched.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "ga_symmetry/surface.h"
+
+namespace ga_symmetry {
+
+/// Mean curvature integrated over each vertex's cell, unit of length, > 0 where convex (cotangent formula, Meyer et al.
+/// 2003).
+std::vector<double> integrated_mean_curvature(const Surface& surface);
+
+/// How many numbers describe a vertex in curvature_features.
+constexpr int kCurvatureFeatures = 3;
+/// vertices x kCurvatureFeatures
+using CurvatureFeatures = Eigen::Matrix<float, Eigen::Dynamic, kCurvatureFeatures, Eigen::RowMajor>;
+
+/// Mean curvature smoothed by heat diffusion over 2, 4 and 8 % of the unit; each scaled to standard deviation 1 (less
+/// where the surface hardly differs from a sphere) and clamped to [-3, 3]. Bending limbs leaves most of it alone, and
+/// it tells where around a limb a point is, which distances hardly do.
+CurvatureFeatures curvature_features(const Surface& surface);
+
+}  // namespace ga_symmetry
