@@ -26,7 +26,7 @@ dpkg-deb --field "$package" Depends | grep -q meshlab || fail "the package does 
 
 chmod 755 "$work"
 apt-get -q install -y --no-install-recommends "$package" > "$work/log" 2>&1 || { cat "$work/log"; fail "it does not install"; }
-trap 'apt-get -q remove -y ga-symmetry > /dev/null 2>&1; rm -rf "$work"' EXIT
+trap 'apt-get -q remove -y ga-symmetry > /dev/null 2>&1 || true; rm -rf "$work"' EXIT
 ga_symmetry --version
 man -w ga_symmetry > /dev/null 2>&1 || fail "there is no manual page"
 cd "$work"

@@ -1,11 +1,11 @@
 #include "ga_symmetry/asymmetry.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 
+#include "ga_symmetry/curvature.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/geodesics.h"
 #include "ga_symmetry/parallel.h"
@@ -13,26 +13,6 @@
 
 namespace ga_symmetry {
 namespace {
-
-// Mean curvature integrated over each vertex's share of the surface, unit of length; convex is positive where faces are
-// oriented outwards. Source: Cohen-Steiner & Morvan 2003: half an edge's length times its dihedral angle.
-std::vector<double> integrated_curvature(const Surface& surface) {
-  const auto point = [&](int c) { return Eigen::Map<const Eigen::Vector3d>(surface.point(surface.triangle[c])); };
-  const auto normal = [&](int c) {
-    const Eigen::Vector3d o = point(c);
-    return Eigen::Vector3d((point(next_corner(c)) - o).cross(point(previous_corner(c)) - o).normalized());
-  };
-  std::vector<double> out(surface.vertices(), 0.0);
-  for (int c = 0; c < 3 * surface.triangles(); ++c) {
-    const int across = surface.opposite[c];
-    if (across < c) continue;
-    const int a = next_corner(c), b = previous_corner(c);
-    const Eigen::Vector3d edge = point(b) - point(a), n = normal(c), m = normal(across);
-    const double angle = std::atan2(n.cross(m).dot(edge.normalized()), n.dot(m));
-    for (const int end : {a, b}) out[surface.triangle[end]] += 0.25 * edge.norm() * angle;
-  }
-  return out;
-}
 
 // What the vertices whose partner is v hold together: the other side's, laid onto this side.
 std::vector<double> received(const std::vector<double>& values, const std::vector<int>& partner) {
@@ -88,7 +68,7 @@ std::vector<double> asymmetry(const TriangleMesh& mesh, const Partners& partners
   const std::vector<double> other_area = received(area, partner);
   std::vector<double> bend, other_bend;
   if (options.measure == AsymmetryMeasure::curvature) {
-    bend = integrated_curvature(surface);
+    bend = integrated_mean_curvature(surface);
     other_bend = received(bend, partner);
   }
   const auto radius = static_cast<float>(options.radius * surface.unit());
