@@ -26,6 +26,7 @@ constexpr double kDistinct = 0.1;  // maps farther apart than this are different
 constexpr double kMoved2 = 0.02;   // squared distance at which a partner is plainly not oneself
 constexpr double kTrivial = 0.1;   // a map that moves a smaller share is the identity
 constexpr int kSurvivors = 30;
+constexpr float kDescriptorsBesideReferences = 0.3f;
 
 constexpr float kEverywhere = kInfinity;  // best_response among all samples
 
@@ -55,10 +56,13 @@ JointProblem::JointProblem(const Sites& sites, const Surface& surface, const Geo
   const int samples = sites.samples, count = sites.count();
   weight_ = (sites.distance.topLeftCorner(samples, samples).array().square() + kNear2).inverse();
   unary_ = Table::Zero(samples, count);
+  // References say which end is which; then descriptors, which like the identity best, need say less.
+  const float descriptor_weight =
+      static_cast<float>(options.descriptor_weight) * (anchors.empty() ? 1 : kDescriptorsBesideReferences);
   for (int i = 0; i < samples; ++i)
     for (int k = 0; k < count; ++k)
-      unary_(i, k) = static_cast<float>(options.descriptor_weight) *
-                     (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
+      unary_(i, k) =
+          descriptor_weight * (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
   if (!anchors.empty()) {
     std::vector<int> sources;
     for (const Anchor& a : anchors) sources.insert(sources.end(), {a.vertex, a.image});

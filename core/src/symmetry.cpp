@@ -220,20 +220,36 @@ DistanceFields anchor_fields(const GeodesicSolver& solver, const std::vector<Anc
   return solver.fields(sources, threads);
 }
 
-// How far off the partner may be, by its residual and by where its own partner is (by the landmarks' distances: a lower
-// bound), in units.
+// What tells how far off a partner may be, in units, averaged over the neighbourhood, because errors are smooth: how
+// far the partner's partner is from the vertex, how much the map stretches the edges around it, and what the residual
+// says. Distances between partners are those of the landmarks' fields, a lower bound that is tight where landmarks are
+// dense.
 std::vector<double> vertex_fitness(const Surface& surface, const DenseMap& map, const DistanceFields& from,
-                                   bool involution) {
+                                   bool involution, HeatDiffusion& diffusion) {
+  constexpr double kStretch = 0.04, kUncertainty = 0.2, kSmooth = 0.025;
   const int n = surface.vertices();
-  std::vector<float> off(n, 0.f);
-  if (involution)
-    for (Eigen::Index i = 0; i < from.rows(); ++i) {
-      const float* field = from.row(i).data();
+  std::vector<float> off(n, 0.f), stretched(3 * static_cast<std::size_t>(surface.triangles()), 0.f);
+  for (Eigen::Index i = 0; i < from.rows(); ++i) {
+    const float* field = from.row(i).data();
+    if (involution)
       for (int v = 0; v < n; ++v) off[v] = std::max(off[v], std::abs(field[v] - field[map.partner[map.partner[v]]]));
-    }
-  std::vector<double> out(n);
-  for (int v = 0; v < n; ++v) out[v] = map.uncertainty[v] + off[v] / surface.unit();
-  return out;
+    for (int c = 0; c < 3 * surface.triangles(); ++c)
+      stretched[c] = std::max(stretched[c], std::abs(field[map.partner[surface.triangle[c]]] -
+                                                     field[map.partner[surface.triangle[next_corner(c)]]]));
+  }
+  std::vector<double> stretch(n, 0.0);
+  std::vector<int> edges(n, 0);
+  for (int c = 0; c < 3 * surface.triangles(); ++c) {
+    const int a = surface.triangle[c], b = surface.triangle[next_corner(c)];
+    // Partners are vertices: an edge may well shrink to nothing, and that says little.
+    const double length = surface.edge_length(a, b), log = std::abs(std::log((stretched[c] / length + 0.3) / 1.3));
+    for (int v : {a, b}) stretch[v] += log, ++edges[v];
+  }
+  Eigen::VectorXd out(n);
+  for (int v = 0; v < n; ++v)
+    out[v] = off[v] / surface.unit() + kStretch * stretch[v] / edges[v] + kUncertainty * map.uncertainty[v];
+  out = diffusion.smooth(out, kSmooth).cwiseMax(0);
+  return {out.begin(), out.end()};
 }
 
 struct Candidate {
@@ -247,15 +263,16 @@ struct Candidate {
 // own mirror image from front to back: agreement is evidence only where points are moved.
 double disagreement(const Surface& surface, const Sites& sites, const RefinedLandmarks& landmarks,
                     const DistanceFields& from, const CurvatureFeatures& curvature, bool reflection) {
+  constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
   const Probes probes = match_probes(surface, landmarks, from, curvature, sites.vertex, reflection);
   double error = 0, moved = 0;
   for (int k = 0; k < sites.count(); ++k) {
-    error += probes.error[k];
+    error += std::min(kCap, probes.error[k]);
     const double d2 = std::pow(sites.field(k, probes.partner[k]) / surface.unit(), 2);
     moved += d2 / (d2 + kMoved2);
   }
   moved /= sites.count();
-  return std::sqrt(error / sites.count()) / (moved * moved);
+  return std::sqrt(error / sites.count()) / std::pow(moved, 1.5);
 }
 
 // The survivors of the search, best first; the first few at vertex resolution.
@@ -306,7 +323,8 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   RefineOptions refine;
   refine.fixed = static_cast<int>(anchors.size());
   refine.reflection = reflection;
-  const CurvatureFeatures curvature = curvature_features(surface);
+  HeatDiffusion diffusion(surface);
+  const CurvatureFeatures curvature = curvature_features(surface, diffusion);
   std::vector<Candidate> ranking =
       rank_survivors(surface, solver, sites, search, anchors, from, curvature, refine, options, context);
   for (const Candidate& c : ranking)
@@ -324,7 +342,7 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
 
   context.report(0.95, "axis");
   Found found;
-  found.fitness = vertex_fitness(surface, map, from, reflection);
+  found.fitness = vertex_fitness(surface, map, from, reflection, diffusion);
   if (reflection) {
     int left = -1;  // the user's own pair says which side is left
     if (!references.pairs.empty()) left = sites.samples + static_cast<int>(references.axis.size());
