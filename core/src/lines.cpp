@@ -13,7 +13,7 @@ namespace ga_symmetry {
 namespace {
 
 constexpr int kLandmarks = 100;  // pairs whose distances place the axis
-constexpr int kSmoothing = 10;  // rounds
+constexpr int kSmoothing = 10;   // rounds
 constexpr double kShortestAxis = 0.1;
 
 // Surface vertices, as spread_pairs says.
