@@ -22,8 +22,9 @@ void add_score(CLI::App& app, Run& chosen) {
       ->required()
       ->type_name("");
   score.footer(
-      "Prints the mean error (geodesic, over sqrt(area)), the share of errors below 0.1262 (corr), the share of\n"
-      "vertices with a partner (coverage) and of those whose partner's partner is near (involution).\n\n"
+      "Prints the mean error (geodesic by first-order fast marching, over sqrt(area)), the share of errors below\n"
+      "0.1262 (corr), the share of vertices with a partner (coverage) and of those whose partner's partner is near\n"
+      "(involution).\n\n"
       "Example:\n  ga_symmetry score body.off body.truth body.csv");
   score.callback([arguments, &chosen] {
     chosen = [arguments](const Context&) {
