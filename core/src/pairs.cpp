@@ -109,28 +109,28 @@ std::vector<int> spread_samples(const Surface& surface, const std::vector<int>& 
   }
 }
 
+// Per left sample: its best individual.
+std::vector<int> best_pairs(const Population<Pair>& population, std::size_t samples) {
+  std::vector<int> best(samples, -1);
+  for (int i = 0; i < static_cast<int>(population.size()); ++i) {
+    int& b = best[population[i].genome.left];
+    if (b < 0 || population[i].cost < population[b].cost) b = i;
+  }
+  return best;
+}
+
 struct PairsProblem {
   const PairsOptions& options;
-  std::vector<AxisDistances> left, right;
+  const std::vector<AxisDistances>&left, &right;
   RegionTable table;
 
   double evaluate(const Pair& pair, int /*worker*/) const {
     return pair_fitness(left[pair.left], right[pair.right], options.error);
   }
 
-  // Per left sample: its best individual.
-  std::vector<int> best_pairs(const Population<Pair>& population) const {
-    std::vector<int> best(left.size(), -1);
-    for (int i = 0; i < static_cast<int>(population.size()); ++i) {
-      int& b = best[population[i].genome.left];
-      if (b < 0 || population[i].cost < population[b].cost) b = i;
-    }
-    return best;
-  }
-
   double best(const Population<Pair>& population) const {
     double sum = 0;
-    for (int i : best_pairs(population)) sum += population[i].cost;
+    for (int i : best_pairs(population, left.size())) sum += population[i].cost;
     return sum / static_cast<double>(left.size());
   }
 
@@ -146,7 +146,7 @@ struct PairsProblem {
   }
 
   Population<Pair> replace(const Population<Pair>& parents, Population<Pair> children) const {
-    for (int i : best_pairs(parents))
+    for (int i : best_pairs(parents, left.size()))
       if (parents[i].cost < children[i].cost) children[i] = parents[i];
     return children;
   }
@@ -288,6 +288,45 @@ void check_pairs_options(const PairsOptions& o) {
   check(o.max_generations >= 1 && o.max_generations <= 100000, "max_generations", "in [1, 100000]", o.max_generations);
 }
 
+PairSamples make_pair_samples(const Surface& surface, const DistanceFields& fields, const std::vector<int>& side,
+                              const std::array<int, 2>& pair, const PairsOptions& options, Random& random,
+                              const Context& context) {
+  const std::vector<int> left = vertices_of(side, 1), right = vertices_of(side, -1);
+  const std::size_t count = std::min({static_cast<std::size_t>(options.samples / 2), left.size(), right.size()});
+  PairSamples out;
+  if (options.sampling == Sampling::evenly_spaced) {
+    out.left = spread_samples(surface, left, pair[0], static_cast<int>(count), context);
+    out.right = spread_samples(surface, right, pair[1], static_cast<int>(count), context);
+  } else {
+    for (int v : uniform_sample_vertices(surface, surface.vertices(), random)) {
+      std::vector<int>& own = side[v] > 0 ? out.left : out.right;
+      if (side[v] != 0 && own.size() < count) own.push_back(v);
+    }
+  }
+  for (int v : out.left) out.left_distance.push_back({fields(0, v), fields(1, v)});
+  for (int v : out.right) out.right_distance.push_back({fields(0, v), fields(1, v)});
+  return out;
+}
+
+GeneticRun<Pair> evolve_pairs(const PairSamples& samples, const PairsOptions& options, double success_threshold,
+                              Random& random, int threads, const Context& context,
+                              const std::function<void(const GenerationLog&)>& observe) {
+  const int count = static_cast<int>(samples.left.size());
+  const PairsProblem problem{
+      options, samples.left_distance, samples.right_distance,
+      make_region_table(samples.left_distance, samples.right_distance, std::min(options.regions, count))};
+  Population<Pair> initial;
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < options.individuals; ++k) initial.push_back({mutate({i, 0}, count, random)});
+  GeneticOptions genetic;
+  genetic.max_generations = options.max_generations;
+  genetic.stall_generations = kStallGenerations;
+  genetic.success_threshold = success_threshold;
+  genetic.threads = threads;
+  genetic.grain = kGrain;
+  return evolve(problem, std::move(initial), genetic, random, context, observe);
+}
+
 PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const std::array<int, 2>& axis,
                          const std::array<int, 2>& pair, const PairsOptions& options, Random& random, int threads,
                          const Context& context) {
@@ -303,41 +342,20 @@ PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, c
   result.side = split_sides(surface, fields, axis, pair);
 
   context.report(0.1, "samples");
-  const std::vector<int> left = vertices_of(result.side, 1), right = vertices_of(result.side, -1);
-  const int samples = static_cast<int>(std::min({options.samples / std::size_t{2}, left.size(), right.size()}));
-  if (options.sampling == Sampling::evenly_spaced) {
-    result.left_samples = spread_samples(surface, left, pair[0], samples, context);
-    result.right_samples = spread_samples(surface, right, pair[1], samples, context);
-  } else {
-    for (int v : uniform_sample_vertices(surface, surface.vertices(), random)) {
-      std::vector<int>& out = result.side[v] > 0 ? result.left_samples : result.right_samples;
-      if (result.side[v] != 0 && static_cast<int>(out.size()) < samples) out.push_back(v);
-    }
-  }
-
-  PairsProblem problem{options, {}, {}, {}};
-  for (int v : result.left_samples) problem.left.push_back(distances(v));
-  for (int v : result.right_samples) problem.right.push_back(distances(v));
-  problem.table = make_region_table(problem.left, problem.right, std::min(options.regions, samples));
-  Population<Pair> initial;
-  for (int i = 0; i < samples; ++i)
-    for (int k = 0; k < options.individuals; ++k) initial.push_back({mutate({i, 0}, samples, random)});
-  GeneticOptions genetic;
-  genetic.max_generations = options.max_generations;
-  genetic.stall_generations = kStallGenerations;
-  genetic.success_threshold = result.success_threshold;
-  genetic.threads = threads;
-  genetic.grain = kGrain;
-  GeneticRun<Pair> run =
-      evolve(problem, std::move(initial), genetic, random, context, [&](const GenerationLog& generation) {
+  PairSamples both = make_pair_samples(surface, fields, result.side, pair, options, random, context);
+  const int samples = static_cast<int>(both.left.size());
+  GeneticRun<Pair> run = evolve_pairs(
+      both, options, result.success_threshold, random, threads, context, [&](const GenerationLog& generation) {
         context.report(0.2 + 0.6 * generation.generation / options.max_generations, "search");
       });
+  result.left_samples = std::move(both.left);
+  result.right_samples = std::move(both.right);
   result.log = std::move(run.log);
   result.stop = run.stop;
 
   context.report(0.8, "partners");
   std::vector<Individual<Pair>> best;
-  for (int i : problem.best_pairs(run.population)) best.push_back(run.population[i]);
+  for (int i : best_pairs(run.population, both.left_distance.size())) best.push_back(run.population[i]);
   const std::vector<double> z_errors = z_scores(costs_of(best));
   // Both ways: the samples that have a pair, and the numbers of their partners on the other side.
   std::vector<int> paired_left, paired_right, number(samples, -1);
@@ -379,8 +397,8 @@ PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, c
       result.fitness[v] = lowest;
     });
   };
-  extract(left, paired_left, to_right, result.right_samples);
-  extract(right, paired_right, to_left, result.left_samples);
+  extract(vertices_of(result.side, 1), paired_left, to_right, result.right_samples);
+  extract(vertices_of(result.side, -1), paired_right, to_left, result.left_samples);
   context.report(1, "partners");
   return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ga_symmetry/context.h"
+#include "ga_symmetry/genetic.h"
 #include "ga_symmetry/geodesics.h"
 #include "ga_symmetry/random.h"
 #include "ga_symmetry/result.h"
@@ -66,6 +67,25 @@ PairOperator choose_operator(double z_error, const PairsOptions& options, Random
 /// @param fields  distances from a0, a1, l, r
 std::vector<int> split_sides(const Surface& surface, const DistanceFields& fields, const std::array<int, 2>& axis,
                              const std::array<int, 2>& pair);
+
+/// What the search works on: as many samples on both sides, and their distances to the axis points.
+struct PairSamples {
+  std::vector<int> left, right;  ///< surface vertices
+  std::vector<AxisDistances> left_distance, right_distance;
+};
+/// @param fields  as for split_sides @param side  as it returns them
+/// @throws Cancelled
+PairSamples make_pair_samples(const Surface& surface, const DistanceFields& fields, const std::vector<int>& side,
+                              const std::array<int, 2>& pair, const PairsOptions& options, Random& random,
+                              const Context& context = {});
+
+/// The genetic search alone; in its log `best` is the mean over the left samples of their best pair's fitness.
+/// @param success_threshold  of that mean, >= 0
+/// @param observe  called after every generation, the initial one included; may be empty
+/// @throws Cancelled
+GeneticRun<Pair> evolve_pairs(const PairSamples& samples, const PairsOptions& options, double success_threshold,
+                              Random& random, int threads, const Context& context = {},
+                              const std::function<void(const GenerationLog&)>& observe = {});
 
 struct PairsResult {
   std::vector<int> partner;          ///< per surface vertex: its partner; a vertex on the axis is its own
