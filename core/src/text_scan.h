@@ -1,4 +1,4 @@
-// Lines, words and numbers of a text file held in memory; private to the core. Nothing depends on the locale.
+// Lines, words and numbers of a text file held in memory; private to the project. Nothing depends on the locale.
 #pragma once
 #include <algorithm>
 #include <charconv>
