@@ -2,111 +2,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/parallel.h"
-#include "ga_symmetry/sites.h"
+#include "matcher.h"
 
 namespace ga_symmetry {
 namespace {
-
-// How distances weigh: 1 / (d^2 + near2)^(power/2), in units. Later rounds trust near landmarks more, because what is
-// left to correct is local, and the error of a distance grows with it.
-struct Weighting {
-  float near2, power;
-};
-constexpr Weighting kCoarse{0.02f, 2.f}, kFine{0.005f, 3.f};
-// Of the curvature's mean squared difference, against that of the distances in units^2.
-constexpr float kCurvatureWeight = 0.012f;
-
-// Features of the vertices as points to be matched: vertex-major, so that one comparison is one contiguous pass.
-struct Features {
-  int distances = 0;  // that many come first, then the curvature
-  int dimension = 0;
-  std::vector<float> source, target;  // n x dimension: d(v, from) against d(c, to)
-  const float* of(const std::vector<float>& data, int v) const {
-    return &data[static_cast<std::size_t>(v) * dimension];
-  }
-};
-
-Features make_features(const DistanceFields& from, const DistanceFields& to, const CurvatureFeatures& curvature,
-                       float unit, bool both_ways) {
-  const int landmarks = static_cast<int>(from.rows()), n = static_cast<int>(from.cols());
-  Features f;
-  f.distances = (both_ways ? 2 : 1) * landmarks;
-  f.dimension = f.distances + kCurvatureFeatures;
-  f.source.resize(static_cast<std::size_t>(n) * f.dimension);
-  f.target.resize(f.source.size());
-  const float scale = 1 / unit;
-  constexpr int kBlock = 64;  // transposed in blocks that fit the cache
-  for (int v0 = 0; v0 < n; v0 += kBlock)
-    for (int i = 0; i < landmarks; ++i)
-      for (int v = v0; v < std::min(n, v0 + kBlock); ++v) {
-        float* source = &f.source[static_cast<std::size_t>(v) * f.dimension];
-        float* target = &f.target[static_cast<std::size_t>(v) * f.dimension];
-        const float a = from(i, v) * scale, b = to(i, v) * scale;
-        source[i] = a, target[i] = b;
-        if (both_ways) source[landmarks + i] = b, target[landmarks + i] = a;
-      }
-  for (int v = 0; v < n; ++v)
-    for (int k = 0; k < kCurvatureFeatures; ++k) {
-      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + f.distances + k;
-      f.source[at] = f.target[at] = curvature(v, k);
-    }
-  return f;
-}
-
-class Matcher {
- public:
-  Matcher(const Surface& surface, const Features& features, Weighting weighting)
-      : surface_(surface), features_(features), weighting_(weighting), weight_(features.dimension) {
-    std::fill(weight_.begin() + features.distances, weight_.end(), kCurvatureWeight / kCurvatureFeatures);
-  }
-
-  void look_at(int v) {
-    source_ = features_.of(features_.source, v);
-    float sum = 0;
-    for (int i = 0; i < features_.distances; ++i) {
-      const float x = source_[i] * source_[i] + weighting_.near2;
-      sum += weight_[i] = weighting_.power == 2.f ? 1 / x : 1 / (x * std::sqrt(x));
-    }
-    for (int i = 0; i < features_.distances; ++i) weight_[i] /= sum;
-  }
-  float error(int c) const {
-    using Row = Eigen::Map<const Eigen::ArrayXf>;
-    const int d = features_.dimension;
-    return ((Row(source_, d) - Row(features_.of(features_.target, c), d)).square() * Row(weight_.data(), d)).sum();
-  }
-  /// Walks downhill over edges. @return the local minimum
-  int descend(int c, float& least) {
-    least = error(c);
-    for (bool moved = true; moved;) {
-      moved = false;
-      const int center = c;
-      for (int i = surface_.first_corner[center]; i < surface_.first_corner[center + 1]; ++i)
-        for (int w : {surface_.triangle[next_corner(surface_.corner_at[i])],
-                      surface_.triangle[previous_corner(surface_.corner_at[i])]}) {
-          if (w == c) continue;
-          const float e = error(w);
-          if (e < least || (e == least && w < c)) least = e, c = w, moved = true;
-        }
-    }
-    return c;
-  }
-  const std::vector<float>& weight() const { return weight_; }
-  const float* source() const { return source_; }
-
- private:
-  const Surface& surface_;
-  const Features& features_;
-  const Weighting weighting_;
-  const float* source_ = nullptr;
-  std::vector<float> weight_;
-};
 
 template <class Body>
 void for_each_vertex(const Surface& surface, const Features& features, Weighting weighting, int threads,
@@ -121,17 +24,6 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
       body(v, matcher);
     }
   });
-}
-
-// The landmarks nearest to a vertex: where its search may start.
-std::vector<int> nearest_landmarks(const DistanceFields& fields, int v) {
-  std::vector<int> order(fields.rows());
-  std::iota(order.begin(), order.end(), 0);
-  const auto last = order.begin() + std::min<std::ptrdiff_t>(3, fields.rows());
-  std::partial_sort(order.begin(), last, order.end(),
-                    [&](int a, int b) { return fields(a, v) != fields(b, v) ? fields(a, v) < fields(b, v) : a < b; });
-  order.erase(last, order.end());
-  return order;
 }
 
 // Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
@@ -221,54 +113,6 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 }
 
 }  // namespace
-
-RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& solver, RefinedLandmarks start,
-                                  const DistanceFields& fields, const CurvatureFeatures& curvature,
-                                  const RefineOptions& options, int threads, const Context& context) {
-  RefinedLandmarks out = std::move(start);
-  const float unit = static_cast<float>(surface.unit());
-  std::vector<int>& to = out.landmarks.to;
-  const int movable = static_cast<int>(to.size()) - options.fixed;
-  for (int round = 0; round < options.rounds; ++round) {
-    const Features features = make_features(fields, out.to_field, curvature, unit, options.reflection);
-    Matcher matcher(surface, features, options.fine ? kFine : kCoarse);
-    std::vector<int> moved, sources;
-    for (int i = 0; i < movable; ++i) {
-      matcher.look_at(out.landmarks.from[i]);
-      float e;
-      const int better = matcher.descend(to[i], e);
-      if (better == to[i]) continue;
-      to[i] = better;
-      moved.push_back(i);
-      sources.push_back(better);
-    }
-    if (moved.empty()) break;
-    const DistanceFields field = solver.fields(sources, threads, context);
-    for (std::size_t k = 0; k < moved.size(); ++k) out.to_field.row(moved[k]) = field.row(static_cast<int>(k));
-  }
-  return out;
-}
-
-Probes match_probes(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                    const CurvatureFeatures& curvature, const std::vector<int>& vertices, bool reflection) {
-  const Features features =
-      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), reflection);
-  Matcher matcher(surface, features, kFine);
-  Probes out;
-  for (int v : vertices) {
-    matcher.look_at(v);
-    float least = INFINITY;
-    int partner = v;
-    for (int i : nearest_landmarks(fields, v)) {
-      float error;
-      const int c = matcher.descend(refined.landmarks.to[i], error);
-      if (error < least) least = error, partner = c;
-    }
-    out.partner.push_back(partner);
-    out.error.push_back(least);
-  }
-  return out;
-}
 
 DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
                         const CurvatureFeatures& curvature, bool reflection, int threads, const Context& context) {

@@ -12,55 +12,6 @@
 namespace ga_symmetry {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-// Corner of `v` from which its fan of faces can be walked counter-clockwise without leaving anything behind.
-int first_fan_corner(const Surface& s, int v) {
-  int start = s.corner_at[s.first_corner[v]];
-  for (int i = s.first_corner[v]; i < s.first_corner[v + 1]; ++i)
-    if (s.opposite[previous_corner(s.corner_at[i])] < 0) start = s.corner_at[i];
-  return start;
-}
-
-struct RingVertex {
-  int vertex;
-  Eigen::Vector2d at;  // flattened
-};
-
-// The one-ring of v in the plane: lengths kept, angles stretched to a full turn (not at the border).
-std::vector<RingVertex> flattened_ring(const Surface& s, int v) {
-  std::vector<RingVertex> ring;
-  std::vector<double> angle;
-  const int start = first_fan_corner(s, v), limit = s.first_corner[v + 1] - s.first_corner[v];
-  const Eigen::Vector3d p(s.point(v));
-  double turn = 0;
-  bool open = false;
-  int corner = start;
-  for (int i = 0; i < limit; ++i) {
-    const int a = s.triangle[next_corner(corner)], b = s.triangle[previous_corner(corner)];
-    ring.push_back({a, Eigen::Vector2d::Zero()});
-    angle.push_back(turn);
-    const Eigen::Vector3d u = Eigen::Vector3d(s.point(a)) - p, w = Eigen::Vector3d(s.point(b)) - p;
-    turn += std::acos(std::clamp(u.dot(w) / (u.norm() * w.norm()), -1.0, 1.0));
-    const int across = s.opposite[next_corner(corner)];
-    if (across < 0) {
-      open = true;
-      ring.push_back({b, Eigen::Vector2d::Zero()});
-      angle.push_back(turn);
-      break;
-    }
-    // The neighbour's corner at v: faces are oriented alike where the surface is orientable.
-    corner = s.triangle[next_corner(across)] == v ? next_corner(across) : previous_corner(across);
-    if (corner == start) break;
-  }
-  const double stretch = open ? 1 : 2 * kPi / turn;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const double length = s.edge_length(v, ring[i].vertex);
-    ring[i].at = {length * std::cos(angle[i] * stretch), length * std::sin(angle[i] * stretch)};
-  }
-  return ring;
-}
-
 // Averages over geodesic discs around each site: how large they are, and how curved.
 Table disc_descriptors(const Surface& s, const DistanceFields& field, int threads, std::vector<float>& centricity) {
   constexpr double kDiscs[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0};  // radii / unit
@@ -136,31 +87,6 @@ std::vector<int> extremal_samples(const Sites& sites) {
 }
 
 }  // namespace
-
-std::pair<Table, Table> directions(const Surface& surface, const std::vector<int>& vertices,
-                                   const DistanceFields& fields, int threads) {
-  const int count = static_cast<int>(vertices.size()), sources = static_cast<int>(fields.rows());
-  std::pair<Table, Table> out{Table::Zero(count, sources), Table::Zero(count, sources)};
-  parallel_for(count, threads, [&](int i, int) {
-    const int v = vertices[i];
-    const std::vector<RingVertex> ring = flattened_ring(surface, v);
-    // Least squares gradient, neighbours weighted by 1 / length^2.
-    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-    for (const RingVertex& r : ring) normal += r.at * r.at.transpose() / r.at.squaredNorm();
-    const Eigen::Matrix2d inverse = (normal + 1e-6 * normal.trace() * Eigen::Matrix2d::Identity()).inverse();
-    for (int j = 0; j < sources; ++j) {
-      if (fields(j, v) == 0) continue;
-      Eigen::Vector2d right(0, 0);
-      for (const RingVertex& r : ring) right += r.at * ((fields(j, r.vertex) - fields(j, v)) / r.at.squaredNorm());
-      const Eigen::Vector2d towards = -(inverse * right);
-      const double length = towards.norm();
-      if (!(length > 0)) continue;
-      out.first(i, j) = static_cast<float>(towards[0] / length);
-      out.second(i, j) = static_cast<float>(towards[1] / length);
-    }
-  });
-  return out;
-}
 
 Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
                  int threads, const Context& context) {

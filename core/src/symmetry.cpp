@@ -12,6 +12,7 @@
 #include "ga_symmetry/curvature.h"
 #include "ga_symmetry/dense_map.h"
 #include "ga_symmetry/joint.h"
+#include "ga_symmetry/landmarks.h"
 #include "ga_symmetry/pairs.h"
 #include "ga_symmetry/parallel.h"
 #include "ga_symmetry/sites.h"
@@ -38,7 +39,8 @@ namespace {
 constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
-constexpr double kMoved2 = 0.01;  // squared distance, in units, at which a partner is plainly not oneself
+constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
+constexpr double kMoved2 = 0.01;            // squared distance, in units, at which a partner is plainly not oneself
 
 [[noreturn]] void out_of_range(const char* name, double value, const char* range) {
   char text[160];
@@ -331,9 +333,11 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
     result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[c.map]), c.score});
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
   result.order = result.symmetries[0].order;
-  refine.fine = true;
-  const RefinedLandmarks refined = refine_landmarks(surface, solver, std::move(ranking[0].refined), from, curvature,
-                                                    refine, options.threads, context);
+  RefinedLandmarks refined = std::move(ranking[0].refined);
+  for (double weight : {0.0, getenv("G2") ? atof(getenv("G2")) : kAdjustCurvature}) {
+    refine.curvature = weight;
+    refined = adjust_landmarks(surface, solver, std::move(refined), from, curvature, refine, options.threads, context);
+  }
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");

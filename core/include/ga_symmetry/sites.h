@@ -6,10 +6,9 @@
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/sampling.h"
 #include "ga_symmetry/surface.h"
+#include "ga_symmetry/tangent_plane.h"
 
 namespace ga_symmetry {
-
-using Table = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Evenly spaced sites; the first `samples` of them are the genes' own points, all are candidates for partners.
 /// Lengths are divided by the surface's unit.
@@ -31,14 +30,8 @@ struct Sites {
 /// @param samples, sites  counts, samples <= sites; fewer where the surface has fewer vertices
 /// @param neighbors  samples that count as near
 /// @throws Cancelled
-/// Directions: gradients of distance fields in the one-ring, flattened to a full angle (Polthier & Schmies 1998).
 /// Extremal points of the average geodesic distance: Kim et al. 2010.
 Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
                  int threads, const Context& context = {});
-
-/// Directions (unit vectors in each vertex's flattened one-ring) of the shortest ways from vertices to the fields'
-/// sources; (0,0) at a source. @param fields  sources x vertices @return {cosine, sine}, vertices x sources
-std::pair<Table, Table> directions(const Surface& surface, const std::vector<int>& vertices,
-                                   const DistanceFields& fields, int threads);
 
 }  // namespace ga_symmetry
