@@ -50,7 +50,7 @@ void scan(const PairSamples& samples, PairError error, double optimum, std::uint
 
 void genetic(const PairSamples& samples, PairsOptions options, double optimum, std::uint64_t seed,
              const Context& context, std::vector<Duration>& out) {
-  options.max_generations = 3000;
+  options.max_generations = 1000;
   const Evolution run = watch_pairs(samples, options, optimum * (1 + *std::rbegin(kQualities)), seed, context);
   const double individuals = static_cast<double>(samples.left_distance.size()) * options.individuals;
   for (double quality : kQualities) {

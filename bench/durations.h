@@ -45,7 +45,7 @@ struct Duration {
 
 /// All searches in turn on the same samples. `naive` and `kdtree` find the optimum. `scan` is the naive search made as
 /// lazy as the genetic one: candidates in random order for all references at once, stopped as soon as their mean
-/// reaches the quality. `genetic` runs up to 3000 generations with the given options.
+/// reaches the quality. `genetic` runs up to 1000 generations with the given options.
 std::vector<Duration> measure_durations(const PairSamples& samples, const PairsOptions& options, std::uint64_t seed,
                                         const Context& context);
 

@@ -47,6 +47,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-matplotlib)  # plots of `ga_symmetry compare`
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if(TARGET filter_ga_symmetry)
   # A plugin fits the release that it was compiled for only.

@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 fail() { echo "FAILED: $*"; exit 1; }
 cmake --install "$build" --prefix "$work/usr" > "$work/log" || { cat "$work/log"; fail "cmake --install"; }
 for file in bin/ga_symmetry share/man/man1/ga_symmetry.1.gz share/bash-completion/completions/ga_symmetry \
-            share/ga_symmetry/sample_meshes/person_wave.off share/doc/ga-symmetry/examples; do
+            share/ga_symmetry/sample_meshes/person_wave.off share/ga_symmetry/comparison_plots.py share/doc/ga-symmetry/examples; do
   [ -e "$work/usr/$file" ] || fail "$file is not installed"
 done
 "$work/usr/bin/ga_symmetry" --version

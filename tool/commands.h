@@ -18,5 +18,6 @@ void add_mirror(CLI::App& app, Run& chosen);
 void add_asymmetry(CLI::App& app, Run& chosen);
 void add_samples(CLI::App& app, Run& chosen);
 void add_score(CLI::App& app, Run& chosen);
+void add_compare(CLI::App& app, Run& chosen);
 
 }  // namespace ga_symmetry::tool

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
       "Example:\n  ga_symmetry find body.ply -o body.csv\n`ga_symmetry COMMAND --help` lists a command's options.");
   tool::Run run;
   for (const auto add : {tool::add_find, tool::add_pairs, tool::add_axis, tool::add_mirror, tool::add_asymmetry,
-                         tool::add_samples, tool::add_score})
+                         tool::add_samples, tool::add_score, tool::add_compare})
     add(app, run);
   try {
     app.parse(argc, argv);
