@@ -259,12 +259,12 @@ class Page {
     if (!in) return;
     std::ostringstream bytes;
     bytes << in.rdbuf();
-    body_ += "<figure><img alt=\"" + escaped(caption) + "\" src=\"data:image/png;base64," + base64(bytes.str()) +
-             "\"><figcaption>" + caption + "</figcaption></figure>\n" + source_;
+    body_ += "<figure><figcaption>" + caption + "</figcaption><img alt=\"" + escaped(caption) +
+             "\" src=\"data:image/png;base64," + base64(bytes.str()) + "\"></figure>\n" + source_;
   }
   std::string text() const {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>ga_symmetry: comparison</title>\n"
-           "<style>\nbody { font: 16px/1.5 sans-serif; max-width: 68em; margin: 2em auto; padding: 0 1em; color: #222 "
+           "<style>\nbody { font: 16px/1.5 sans-serif; max-width: 78em; margin: 2em auto; padding: 0 1em; color: #222 "
            "}\n"
            "h1, h2 { line-height: 1.2 } h2 { margin-top: 2em; border-top: 1px solid #ccc; padding-top: 0.7em }\n"
            ".wide { overflow-x: auto }\ntable { border-collapse: collapse; font-size: 14px }\n"
