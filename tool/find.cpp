@@ -1,5 +1,6 @@
 // ga_symmetry find: a mesh in, its partners out.
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -124,6 +125,12 @@ void add_find(CLI::App& app, Run& chosen) {
       ->check(CLI::NonNegativeNumber.description(""))
       ->capture_default_str();
   find.add_option("--threads", options.threads, "0 to 256, 0 = all cores; never changes the result")
+      ->capture_default_str();
+  find.add_option("--proxy", options.proxy,
+                  "A mesh of more than 1.5 times as many vertices is searched on a simplified one of so many; "
+                  "1000 to 1000000, or off")
+      ->transform(CLI::Transformer(std::map<std::string, int>{{"off", 0}}).description(""))
+      ->type_name("N")
       ->capture_default_str();
   find.add_flag("--largest-component", options.largest_component,
                 "Work on the largest component instead of refusing a mesh of several");

@@ -9,4 +9,13 @@ void Context::report(double fraction, const char* stage) const {
   if (progress) progress(fraction, stage);
 }
 
+Context Context::part(double first, double last) const {
+  Context out{nullptr, cancel};
+  if (progress)
+    out.progress = [whole = progress, first, last](double fraction, const char* stage) {
+      whole(first + (last - first) * fraction, stage);
+    };
+  return out;
+}
+
 }  // namespace ga_symmetry

@@ -15,6 +15,7 @@
 #include "ga_symmetry/landmarks.h"
 #include "ga_symmetry/pairs.h"
 #include "ga_symmetry/parallel.h"
+#include "ga_symmetry/proxy.h"
 #include "ga_symmetry/sites.h"
 #include "ga_symmetry/surface.h"
 
@@ -39,6 +40,7 @@ namespace {
 constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
+constexpr double kWorthProxy = 1.5;         // a surface so many times larger than its proxy is searched on it
 constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
 constexpr double kMoved2 = 0.01;            // squared distance, in units, at which a partner is plainly not oneself
 
@@ -62,12 +64,15 @@ void check_options(const Options& o) {
     check_pairs_options(o.pairs);
     return;
   }
+  if (o.proxy != 0) check("proxy", o.proxy, 1000, 1e6, "[1000, 1000000], or 0 for none");
   const JointOptions& j = o.joint;
   check("joint samples", j.samples, 20, 1000, "[20, 1000]");
   check("joint sites", j.sites, j.samples, 5000, "[joint samples, 5000]");
   check("joint population", j.population, 4, 10000, "[4, 10000]");
   check("joint generations", j.max_generations, 0, 10000, "[0, 10000]");
   check("joint mutation probability", j.mutation_probability, 0, 1, "[0, 1]");
+  check("joint ruin probability", j.ruin_probability, 0, 1, "[0, 1]");
+  check("joint outlier", j.outlier_z, 0, 1e6, "[0, 1e6]");
   const std::pair<const char*, double> weights[] = {
       {"distance weight", j.distance_weight},       {"orientation weight", j.orientation_weight},
       {"continuity weight", j.continuity_weight},   {"descriptor weight", j.descriptor_weight},
@@ -133,6 +138,7 @@ struct Found {
   std::vector<int> partner, side;
   std::vector<double> fitness;
   std::vector<SurfacePoint> point;
+  std::vector<float> left;  // how much nearer to the left than to the right; empty for a rotation
   std::vector<std::vector<SurfacePoint>> axis;
 };
 
@@ -173,8 +179,9 @@ void finish(const Surface& surface, Found found, Result& result) {
   }
 }
 
-Found find_by_pairs(const Surface& surface, const GeodesicSolver& solver, const References& references,
-                    const Options& options, Random& random, const Context& context, StageClock& clock, Result& result) {
+Found find_by_pairs(const Surface& surface, const References& references, const Options& options, Random& random,
+                    const Context& context, StageClock& clock, Result& result) {
+  const GeodesicSolver solver(surface);
   const std::array<int, 2> axis{references.axis[0], references.axis[1]};
   PairsResult pairs =
       search_pairs(surface, solver, axis, references.pairs[0], options.pairs, random, options.threads, context);
@@ -191,8 +198,7 @@ Found find_by_pairs(const Surface& surface, const GeodesicSolver& solver, const 
       solver.fields({references.pairs[0][0], references.pairs[0][1]}, options.threads, context);
   std::vector<float> nearer_left(surface.vertices());
   for (int v = 0; v < surface.vertices(); ++v) nearer_left[v] = field(1, v) - field(0, v);
-  found.axis = zero_set(surface, nearer_left, kShortestAxis);
-  clock.stage_done("axis");
+  found.left = std::move(nearer_left);
   result.symmetries.push_back({SymmetryKind::reflection, 2, result.log.empty() ? 0 : result.log.back().best});
   return found;
 }
@@ -302,8 +308,9 @@ std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolv
   return out;
 }
 
-Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const References& references,
-                   const Options& options, Random& random, const Context& context, StageClock& clock, Result& result) {
+Found find_jointly(const Surface& surface, const References& references, const Options& options, Random& random,
+                   const Context& context, StageClock& clock, Result& result) {
+  const GeodesicSolver solver(surface);
   const bool reflection = options.symmetry == SymmetryKind::reflection;
   context.report(0.02, "distances");
   const Sites sites =
@@ -334,7 +341,7 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
   result.order = result.symmetries[0].order;
   RefinedLandmarks refined = std::move(ranking[0].refined);
-  for (double weight : {0.0, getenv("G2") ? atof(getenv("G2")) : kAdjustCurvature}) {
+  for (double weight : {0.0, kAdjustCurvature}) {
     refine.curvature = weight;
     refined = adjust_landmarks(surface, solver, std::move(refined), from, curvature, refine, options.threads, context);
   }
@@ -350,11 +357,7 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   if (reflection) {
     int left = -1;  // the user's own pair says which side is left
     if (!references.pairs.empty()) left = sites.samples + static_cast<int>(references.axis.size());
-    const std::vector<float> function = left_right_function(surface, refined.landmarks, from, refined.to_field, left);
-    found.side = sides(surface, function);
-    found.axis = zero_set(surface, function, kShortestAxis);
-  } else {
-    found.side.assign(surface.vertices(), 0);
+    found.left = left_right_function(surface, refined.landmarks, from, refined.to_field, left);
   }
   for (int i = 0; i < sites.samples; ++i) {
     const int v = refined.landmarks.from[i];
@@ -362,8 +365,30 @@ Found find_jointly(const Surface& surface, const GeodesicSolver& solver, const R
   }
   found.partner = std::move(map.partner);
   found.point = std::move(map.point);
-  clock.stage_done("axis");
   return found;
+}
+
+// What was found on the proxy, at every vertex of the surface.
+Found carry(const Surface& surface, const Proxy& proxy, const Found& small, int threads, const Context& context,
+            Result& result) {
+  Found out;
+  CarriedMap map = carry_to(surface, proxy, small.point, threads, context);
+  out.partner = std::move(map.partner);
+  out.point = std::move(map.point);
+  out.fitness = interpolate(proxy, small.fitness);
+  if (!small.left.empty()) out.left = interpolate(proxy, small.left);
+  for (SymmetricPair& pair : result.pairs) {
+    pair.vertex = proxy.vertex[pair.vertex];
+    pair.partner = out.partner[pair.vertex];
+  }
+  return out;
+}
+
+References on_proxy(const References& references, const Proxy& proxy) {
+  References out;
+  for (int a : references.axis) out.axis.push_back(proxy.nearest(a));
+  for (const auto& [l, r] : references.pairs) out.pairs.push_back({proxy.nearest(l), proxy.nearest(r)});
+  return out;
 }
 
 }  // namespace
@@ -380,12 +405,27 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   result.axis_references = options.references.axis;
   result.pair_references = options.references.pairs;
   result.warnings = surface.warnings;
-  const GeodesicSolver solver(surface);
   clock.stage_done("surface");
   Random random(options.seed);
-  Found found = options.method == Method::pairs
-                    ? find_by_pairs(surface, solver, references, options, random, context, clock, result)
-                    : find_jointly(surface, solver, references, options, random, context, clock, result);
+  Found found;
+  if (options.method == Method::pairs) {
+    found = find_by_pairs(surface, references, options, random, context, clock, result);
+  } else if (options.proxy == 0 || surface.vertices() <= kWorthProxy * options.proxy) {
+    found = find_jointly(surface, references, options, random, context, clock, result);
+  } else {
+    const Proxy proxy = make_proxy(surface, options.proxy, context.part(0, 0.3));
+    clock.stage_done("proxy");
+    const Found small = find_jointly(proxy.surface, on_proxy(references, proxy), options, random,
+                                     context.part(0.3, 0.8), clock, result);
+    context.report(0.8, "all vertices");
+    found = carry(surface, proxy, small, options.threads, context, result);
+    clock.stage_done("all vertices");
+  }
+  context.report(0.95, "axis");
+  if (found.side.empty())
+    found.side = found.left.empty() ? std::vector<int>(surface.vertices(), 0) : sides(surface, found.left);
+  if (!found.left.empty()) found.axis = zero_set(surface, found.left, kShortestAxis);
+  clock.stage_done("axis");
   finish(surface, std::move(found), result);
   context.report(1, "done");
   return result;

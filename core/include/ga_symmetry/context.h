@@ -15,6 +15,8 @@ struct Context {
   bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
   /// Reports progress. @throws Cancelled if asked to stop.
   void report(double fraction, const char* stage) const;
+  /// For a part of the work: its progress from 0 to 1 is the whole's from `first` to `last`.
+  Context part(double first, double last) const;
 };
 
 }  // namespace ga_symmetry

@@ -21,7 +21,7 @@ struct RefinedLandmarks {
 };
 
 struct RefineOptions {
-  int rounds = 2;          ///< of refine_landmarks, [0, 20]; in each all images are found anew, given the others
+  int rounds = 1;          ///< of refine_landmarks, [0, 20]; in each all images are found anew, given the others
   int steps = 12;          ///< of adjust_landmarks, [0, 100]
   double curvature = 0;    ///< its weight in adjust_landmarks, >= 0
   int fixed = 0;           ///< that many landmarks at the end are exact and stay (the user's references)

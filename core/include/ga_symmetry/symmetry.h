@@ -68,8 +68,10 @@ struct Options {
   Method method = Method::joint;
   SymmetryKind symmetry = SymmetryKind::reflection;
   References references;
-  std::uint64_t seed = 1;          ///< same seed + mesh + build => same bytes, whatever `threads`
-  int threads = 0;                 ///< 0 = all cores, [0, 256]; speed only, never results
+  std::uint64_t seed = 1;  ///< same seed + mesh + build => same bytes, whatever `threads`
+  int threads = 0;         ///< 0 = all cores, [0, 256]; speed only, never results
+  int proxy = 6000;  ///< a mesh of more than 1.5 times as many vertices is searched on a simplified one of so many, and
+                     ///< the result carried back; [1000, 1000000], 0 = never; method joint only
   bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
   PairsOptions pairs;
   JointOptions joint;
