@@ -60,6 +60,8 @@ RichParameterList parameters() {
                         "At least 0. The same seed and mesh give the same result.");
   add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
                         "0 to 256; 0 = all cores. Changes the time, never the result.");
+  add_advanced<RichInt>(list, "proxy", defaults.proxy, "Simplify to",
+                        "Vertices. Meshes of over 1.5 times as many are searched simplified; 0 = never.");
   add_advanced<RichFloat>(list, "mutation_probability", joint.mutation_probability, "Mutation probability",
                           "Per gene (Joint) or pair (Pairs) and generation, 0 to 1.");
   add_advanced<RichInt>(list, "joint_samples", joint.samples, "Joint: samples",
@@ -99,6 +101,7 @@ Options to_options(const RichParameterList& list) {
   if (seed < 0) throw InvalidOption("seed must be at least 0, got " + std::to_string(seed));
   options.seed = static_cast<std::uint64_t>(seed);
   options.threads = list.getInt("threads");
+  options.proxy = list.getInt("proxy");
 
   options.joint.samples = list.getInt("joint_samples");
   options.joint.sites = list.getInt("joint_sites");

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <queue>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/parallel.h"
@@ -52,6 +51,7 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   parameters.PreserveBoundary = true;
   parameters.NormalCheck = true;
   parameters.QualityQuadric = true;  // distances want triangles of good shape on flat parts too
+  parameters.QualityQuadricWeight = 0.02;
   vcg::LocalOptimization<ProxyMesh> session(mesh, &parameters);
   session.Init<Collapse>();
   const int start = mesh.vn;
@@ -96,24 +96,8 @@ double nearest_on_face(const Surface& s, int face, const Vector& p, SurfacePoint
     x = vb / (va + vb + vc);
     y = vc / (va + vb + vc);
   }
-  nearest = {{ia, ib, ic}, {1 - x - y, x, y}};
+  nearest = {{ia, ib, ic}, {std::max(0.0, 1 - x - y), x, y}};
   return (ap - x * ab - y * ac).squaredNorm();
-}
-
-// Walks over neighbouring faces to the one nearest to p. @return the face
-int walk_to_nearest(const Surface& s, int face, const Vector& p, SurfacePoint& nearest) {
-  double least = nearest_on_face(s, face, p, nearest);
-  for (bool moved = true; moved;) {
-    moved = false;
-    const std::array<int, 3> corners{s.triangle[3 * face], s.triangle[3 * face + 1], s.triangle[3 * face + 2]};
-    for (int v : corners)
-      for (int i = s.first_corner[v]; i < s.first_corner[v + 1]; ++i) {
-        SurfacePoint candidate;
-        const double d = nearest_on_face(s, s.corner_at[i] / 3, p, candidate);
-        if (d < least) least = d, face = s.corner_at[i] / 3, nearest = candidate, moved = true;
-      }
-  }
-  return face;
 }
 
 Vector face_normal(const Surface& s, int face) {
@@ -121,22 +105,61 @@ Vector face_normal(const Surface& s, int face) {
   return (at(s, s.triangle[3 * face + 1]) - a).cross(at(s, s.triangle[3 * face + 2]) - a);
 }
 
+// Finds where the vertices of one surface stand on another.
+class Locator {
+ public:
+  Locator(const Surface& large, const Surface& small) : large_(large), small_(small), normal_(large.vertices()) {
+    for (Vector& n : normal_) n.setZero();
+    for (std::size_t c = 0; c < large.triangle.size(); ++c)
+      normal_[large.triangle[c]] += face_normal(large, static_cast<int>(c / 3));
+    for (int f = 0; f < small.triangles(); ++f) face_normal_.push_back(face_normal(small, f));
+  }
+
+  /// Among all faces.
+  int search(int v, SurfacePoint& place) const {
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < small_.triangles(); ++f) try_face(v, f, least, best, place);
+    return best;
+  }
+  /// Walks over neighbouring faces, from one near by. @return the face
+  int walk(int v, int face, SurfacePoint& place) const {
+    double least = std::numeric_limits<double>::infinity();
+    try_face(v, face, least, face, place);
+    for (bool moved = true; moved;) {
+      moved = false;
+      const std::array<int, 3> corners{small_.triangle[3 * face], small_.triangle[3 * face + 1],
+                                       small_.triangle[3 * face + 2]};
+      for (int w : corners)
+        for (int i = small_.first_corner[w]; i < small_.first_corner[w + 1]; ++i)
+          moved |= try_face(v, small_.corner_at[i] / 3, least, face, place);
+    }
+    return face;
+  }
+
+ private:
+  bool try_face(int v, int f, double& least, int& best, SurfacePoint& place) const {
+    SurfacePoint candidate;
+    double d = nearest_on_face(small_, f, at(large_, v), candidate);
+    // Where two parts touch, the one that faces the same way.
+    if (large_.orientable && normal_[v].dot(face_normal_[f]) < 0) d += large_.area;
+    if (d >= least) return false;
+    least = d, best = f, place = candidate;
+    return true;
+  }
+
+  const Surface &large_, &small_;
+  std::vector<Vector> normal_, face_normal_;  // per vertex of `large_`, per face of `small_`
+};
+
 // Every vertex starts where the one it was reached from stands.
 std::vector<SurfacePoint> find_places(const Surface& large, const Surface& small, const Context& context) {
+  const Locator locator(large, small);
   const int n = large.vertices();
   std::vector<SurfacePoint> place(n);
   std::vector<int> face(n, -1), order{0};
   order.reserve(n);
-  double least = std::numeric_limits<double>::infinity();
-  const Vector start = at(large, 0), normal = face_normal(large, large.corner_at[large.first_corner[0]] / 3);
-  for (int f = 0; f < small.triangles(); ++f) {
-    SurfacePoint candidate;
-    // Where two parts touch, the one that faces the same way.
-    const double away = large.orientable && normal.dot(face_normal(small, f)) < 0 ? large.unit() : 0;
-    const double d = nearest_on_face(small, f, start, candidate) + away * away;
-    if (d < least) least = d, face[0] = f;
-  }
-  face[0] = walk_to_nearest(small, face[0], start, place[0]);
+  face[0] = locator.search(0, place[0]);
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k % 65536 == 0 && context.cancelled()) throw Cancelled();
     const int v = order[k];
@@ -144,7 +167,7 @@ std::vector<SurfacePoint> find_places(const Surface& large, const Surface& small
       for (int w :
            {large.triangle[next_corner(large.corner_at[i])], large.triangle[previous_corner(large.corner_at[i])]})
         if (face[w] < 0) {
-          face[w] = walk_to_nearest(small, face[v], at(large, w), place[w]);
+          face[w] = locator.walk(w, face[v], place[w]);
           order.push_back(w);
         }
   }
