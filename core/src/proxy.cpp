@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "ga_symmetry/errors.h"
@@ -38,13 +39,68 @@ class Collapse
   Collapse(const VertexPair& pair, int mark, vcg::BaseParameterClass* parameters) : Base(pair, mark, parameters) {}
 };
 
+// A first, cheap thinning in linear time, where quadrics would spend theirs on detail that is far below the proxy's
+// resolution: edges much shorter than `length` are collapsed onto one of their ends, so no vertex leaves the surface.
+// Nothing folds over, no border is touched, and the surface stays a manifold.
+void thin_out(ProxyMesh& mesh, double length, int vertices, const Context& context) {
+  using Ring = vcg::face::VFIterator<ProxyFace>;
+  const auto keeps_manifold = [&](ProxyVertex* gone, ProxyVertex* kept) {  // exactly two common neighbours
+    vcg::tri::UnMarkAll(mesh);
+    for (Ring r(gone); !r.End(); ++r) {
+      vcg::tri::Mark(mesh, r.V1());
+      vcg::tri::Mark(mesh, r.V2());
+    }
+    int common = 0;
+    for (Ring r(kept); !r.End(); ++r)
+      for (ProxyVertex* w : {r.V1(), r.V2()})
+        if (vcg::tri::IsMarked(mesh, w)) ++common, w->IMark() = mesh.imark - 1;
+    return common == 2;
+  };
+  const auto folds = [](ProxyVertex* gone, ProxyVertex* kept) {
+    constexpr double kLeastCosine = 0.5;
+    for (Ring r(gone); !r.End(); ++r) {
+      if (r.V1() == kept || r.V2() == kept) continue;
+      const vcg::Point3d &a = r.V1()->cP(), edge = r.V2()->cP() - a;
+      const vcg::Point3d before = edge ^ (gone->cP() - a), after = edge ^ (kept->cP() - a);
+      if (before * after <= kLeastCosine * before.Norm() * after.Norm()) return true;
+      if (after.Norm() < 0.05 * edge.SquaredNorm()) return true;  // a needle
+    }
+    return false;
+  };
+  for (int before = mesh.vn + 1; mesh.vn > vertices && mesh.vn < before;) {
+    before = static_cast<int>(0.98 * mesh.vn);  // the next round is not worth it if this one takes less away
+    if (context.cancelled()) throw Cancelled();
+    for (std::size_t f = 0; f < mesh.face.size() && mesh.vn > vertices; ++f)
+      for (int k = 0; k < 3 && !mesh.face[f].IsD(); ++k) {
+        ProxyVertex *gone = mesh.face[f].V(k), *kept = mesh.face[f].V((k + 1) % 3);
+        if (gone->IsB() || vcg::SquaredDistance(gone->cP(), kept->cP()) > length * length) continue;
+        if (!keeps_manifold(gone, kept) || folds(gone, kept)) continue;
+        VertexPair pair(gone, kept);
+        vcg::tri::EdgeCollapser<ProxyMesh, VertexPair>::Do(mesh, pair, kept->P());
+      }
+  }
+  vcg::tri::Allocator<ProxyMesh>::CompactEveryVector(mesh);
+}
+
 TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   ProxyMesh mesh;
   vcg::tri::Allocator<ProxyMesh>::AddVertices(mesh, s.vertices());
   vcg::tri::Allocator<ProxyMesh>::AddFaces(mesh, s.triangles());
   for (int v = 0; v < s.vertices(); ++v) mesh.vert[v].P() = {s.point(v)[0], s.point(v)[1], s.point(v)[2]};
   for (std::size_t c = 0; c < s.triangle.size(); ++c) mesh.face[c / 3].V(c % 3) = &mesh.vert[s.triangle[c]];
+  for (std::size_t c = 0; c < s.triangle.size(); ++c)
+    if (s.opposite[c] < 0) {
+      mesh.vert[s.triangle[next_corner(static_cast<int>(c))]].SetB();
+      mesh.vert[s.triangle[previous_corner(static_cast<int>(c))]].SetB();
+    }
   vcg::tri::UpdateTopology<ProxyMesh>::VertexFace(mesh);
+  constexpr int kThinned = 5;  // times the proxy's vertices are left to the quadrics
+  const int thinned = kThinned * vertices;
+  if (mesh.vn > thinned) {
+    context.report(0, "simplifying");
+    thin_out(mesh, std::sqrt(s.area / thinned), thinned, context);
+    vcg::tri::UpdateTopology<ProxyMesh>::VertexFace(mesh);
+  }
   vcg::tri::UpdateNormal<ProxyMesh>::PerVertexNormalizedPerFaceNormalized(mesh);
   vcg::tri::TriEdgeCollapseQuadricParameter parameters;
   parameters.PreserveTopology = true;

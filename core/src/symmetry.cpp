@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -40,6 +41,7 @@ namespace {
 constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
+constexpr double kDoubtful = 0.1;           // confidence
 constexpr double kWorthProxy = 1.5;         // a surface so many times larger than its proxy is searched on it
 constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
 constexpr double kMoved2 = 0.01;            // squared distance, in units, at which a partner is plainly not oneself
@@ -339,6 +341,10 @@ Found find_jointly(const Surface& surface, const References& references, const O
   for (const Candidate& c : ranking)
     result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[c.map]), c.score});
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
+  if (anchors.empty() && result.confidence < kDoubtful)
+    result.warnings.push_back("two symmetries fit almost equally well (confidence " +
+                              std::to_string(result.confidence).substr(0, 4) +
+                              "): look at the result, and give references if it is the other that you want");
   result.order = result.symmetries[0].order;
   RefinedLandmarks refined = std::move(ranking[0].refined);
   for (double weight : {0.0, kAdjustCurvature}) {
@@ -408,17 +414,24 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   clock.stage_done("surface");
   Random random(options.seed);
   Found found;
+  std::optional<Proxy> proxy;
+  if (options.method == Method::joint && options.proxy > 0 && surface.vertices() > kWorthProxy * options.proxy) {
+    try {
+      proxy = make_proxy(surface, options.proxy, context.part(0, 0.3));
+    } catch (const InvalidMesh&) {
+      result.warnings.push_back("the mesh could not be simplified, so all its vertices were searched: that takes long");
+    }
+    clock.stage_done("proxy");
+  }
   if (options.method == Method::pairs) {
     found = find_by_pairs(surface, references, options, random, context, clock, result);
-  } else if (options.proxy == 0 || surface.vertices() <= kWorthProxy * options.proxy) {
+  } else if (!proxy) {
     found = find_jointly(surface, references, options, random, context, clock, result);
   } else {
-    const Proxy proxy = make_proxy(surface, options.proxy, context.part(0, 0.3));
-    clock.stage_done("proxy");
-    const Found small = find_jointly(proxy.surface, on_proxy(references, proxy), options, random,
+    const Found small = find_jointly(proxy->surface, on_proxy(references, *proxy), options, random,
                                      context.part(0.3, 0.8), clock, result);
     context.report(0.8, "all vertices");
-    found = carry(surface, proxy, small, options.threads, context, result);
+    found = carry(surface, *proxy, small, options.threads, context, result);
     clock.stage_done("all vertices");
   }
   context.report(0.95, "axis");
