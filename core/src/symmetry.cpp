@@ -41,7 +41,7 @@ namespace {
 constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;  // of rotations
 constexpr double kShortestAxis = 0.05;
-constexpr double kDoubtful = 0.1;           // confidence
+constexpr double kDoubtful = 0.2;           // confidence
 constexpr double kWorthProxy = 1.5;         // a surface so many times larger than its proxy is searched on it
 constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
 constexpr double kMoved2 = 0.01;            // squared distance, in units, at which a partner is plainly not oneself
