@@ -94,7 +94,6 @@ says "cut.off"
 : >empty.ply
 expect 1 find empty.ply -o a.csv
 says "empty"
-expect 1 find . -o a.csv
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 find triangle.off -o a.csv
 one_line
@@ -213,21 +212,120 @@ done
 expect 1 pairs body.off known.csv -o missing/a.csv
 no_file missing/a.csv
 
-# An interrupt ends a long run promptly, with nothing written.
+# Many meshes: a folder, and more.
+body 12 16 | to_off >small.off
+mkdir scans more
+cp small.off scans/b.off
+cp small.off scans/a.OFF
+cp cut.off scans/cut.off
+echo "$((12 * 16)) $((12 * 16 + 1)) $((4 * 16)) $((4 * 16 + 8))" >more/c,1.refs
+cp small.off "more/c,1.off"
+echo notes >scans/notes.txt
+expect 2 find scans
+expect 2 find scans -o a.csv
+one_line
+expect 2 find small.off body.off -o a.csv -o b.csv
+expect 2 find scans -o results --summary json
+expect 2 find scans -o results --format xyz
+expect 2 find scans -o results --threads 1000
+one_line
+expect 2 find scans -o results --method pairs
+expect 2 find small.off -o a.csv --redo
+expect 2 find small.off --format csv
+expect 2 find small.off --refs 1,2,3,4 --refs-files
+expect 1 find more/../missing.off -o results/missing/
+no_file results/missing/missing.csv
+rm -r results
+mkdir nothing
+expect 1 find nothing -o results
+says "no mesh in nothing"
+expect 2 find scans more small.off scans/b.off -o results
+says "scans/b.off and scans/b.off"
+cp small.off more/b.ply
+expect 2 find scans more -o results
+says "scans/b.off and more/b.ply"
+one_line
+rm more/b.ply
+cp a.ply more/p.ply
+expect 2 find more -o more --format csv,ply
+says "would be overwritten"
+rm more/p.ply
+cp small.off more/summary.off
+expect 2 find more -o results
+says "rename it"
+rm more/summary.off
+expect 1 find small.off more -o body.off/results
+one_line
+no_file results more/c,1.csv
+
+rows() { cut -d, -f"$1" "${2:-results/summary.csv}" | paste -sd' '; }
+expect 1 find scans "${quick[@]}" -o results
+[[ $(ls results | paste -sd' ') == "a.csv b.csv summary.csv" ]] || fail "not the outputs of the two good meshes"
+[[ $(rows 1,2) == "mesh,status a,done b,done cut,failed" ]] || fail "the summary has $(rows 1,2)"
+[[ $(rows 3) == "vertices 194 194 " ]] || fail "the summary has the vertices $(rows 3)"
+says "1 of 3 meshes failed"
+says "^ga_symmetry: cut: cannot read scans/cut.off" 
+says "^2 done, 0 skipped, 1 failed: results/summary.csv" out
+expect 0 find small.off "${quick[@]}" -o alone.csv
+cmp -s alone.csv results/a.csv || fail "a mesh among others gives other bytes"
+# Finished ones are left alone, and their rows.
+cp results/summary.csv before.csv
+echo kept >results/a.csv
+cp small.off scans/cut.off
+expect 0 find scans "${quick[@]}" -o results/
+[[ $(cat results/a.csv) == kept ]] || fail "a finished mesh was done again"
+[[ $(rows 1,2) == "mesh,status a,done b,done cut,done" ]] || fail "after a resume the summary has $(rows 1,2)"
+diff before.csv results/summary.csv | grep -q ',[ab],' && fail "rows of finished meshes changed"
+says "^1 done, 2 skipped, 0 failed" out
+expect 0 find scans "${quick[@]}" -o results --redo --quiet
+cmp -s alone.csv results/a.csv || fail "--redo does not do it again"
+[[ ! -s out && ! -s err ]] || fail "--quiet is not quiet"
+rm results/summary.csv
+expect 0 find scans "${quick[@]}" -o results
+[[ $(rows 1,2) == "mesh,status a,skipped b,skipped cut,skipped" ]] || fail "without a summary: $(rows 1,2)"
+# References beside the mesh, other formats, rows of earlier runs kept, a comma in a name.
+expect 0 find more --refs-files --method pairs --pairs-samples 50 --format csv,json --format ply -o results
+for ending in csv json ply; do [[ -s results/c,1.$ending ]] || fail "no .$ending"; done
+[[ $(python3 -c 'import csv; print([r[:2] for r in csv.reader(open("results/summary.csv"))][1:])') == \
+  "[['c,1', 'done'], ['a', 'skipped'], ['b', 'skipped'], ['cut', 'skipped']]" ]] || fail "the summary is no CSV of all"
+expect 0 find "more/c,1.off" --refs-files --method pairs --pairs-samples 50 -o beside.csv
+cmp -s beside.csv results/c,1.csv || fail "one mesh with references beside it gives other bytes"
+expect 1 find scans --refs-files -o referenced
+[[ $(rows 2 referenced/summary.csv) == "status failed failed failed" ]] || fail "references that are missing are not missed"
+
+# An interrupt ends a run at whatever stage, in one line, and leaves no half of anything.
+# interrupt SECONDS ARGUMENT...
+interrupt() {
+  local after=$1 run status
+  shift
+  "$tool" "$@" >out 2>err &
+  run=$!
+  sleep "$after"
+  kill -INT $run
+  for ((i = 0; i < 200; ++i)); do
+    kill -0 $run 2>/dev/null || break
+    sleep 0.1
+  done
+  kill -0 $run 2>/dev/null && fail "not interrupted after 20 seconds" && kill -KILL $run
+  wait $run
+  status=$?
+  [[ $status == 130 ]] || fail "an interrupted run: exit $status instead of 130"
+  one_line
+  says "^ga_symmetry: interrupted"
+}
 body 200 300 | to_off >large.off
-"$tool" find large.off --joint-population 10000 --joint-generations 10000 -o a2.csv >out 2>err &
-run=$!
-sleep 1
-kill -INT $run
-for ((i = 0; i < 200; ++i)); do
-  kill -0 $run 2>/dev/null || break
-  sleep 0.1
+endless=(--joint-population 10000 --joint-generations 10000)
+for after in 0.05 0.3 1; do
+  interrupt $after find large.off "${endless[@]}" -o a2.csv -o a2.ply
+  no_file a2.csv a2.ply
 done
-kill -0 $run 2>/dev/null && fail "not interrupted after 20 seconds" && kill -KILL $run
-wait $run
-status=$?
-[[ $status == 130 ]] || fail "an interrupted run: exit $status instead of 130"
-no_file a2.csv
+mkdir long
+cp small.off long/a.off
+cp large.off long/b.off
+expect 0 find long/a.off "${quick[@]}" -o stopped/
+interrupt 1 find long "${endless[@]}" -o stopped
+says "after 1 of 2 meshes: the same command goes on"
+[[ $(ls stopped | paste -sd' ') == "a.csv summary.csv" ]] || fail "left by an interrupted run: $(ls stopped)"
 
 leftovers=$(find . -name '*.part')
 [[ -z $leftovers ]] || fail "left behind: $leftovers"

@@ -22,7 +22,8 @@ void add_output(CLI::App& app, std::string& path, const std::string& help) {
   app.add_option("-o,--output", path, help + "; without it the CSV goes to the standard output")->type_name("FILE");
 }
 
-ProgressBar::ProgressBar(bool wanted) : shown_(wanted && isatty(STDERR_FILENO)) {}
+ProgressBar::ProgressBar(bool wanted, const std::string& place)
+    : shown_(wanted && isatty(STDERR_FILENO)), place_(place.empty() ? "" : " (" + place + ")") {}
 
 Context ProgressBar::watch(const Context& context) {
   Context out = context;
@@ -31,19 +32,22 @@ Context ProgressBar::watch(const Context& context) {
 }
 
 void ProgressBar::show(double fraction, const char* stage) {
-  const int percent = static_cast<int>(100 * fraction);
-  if (!shown_ || (percent == percent_ && stage == stage_)) return;
-  percent_ = percent, stage_ = stage;
-  constexpr int kWidth = 30;
+  if (!shown_) return;
+  constexpr int kWidth = 30, kLine = 79;  // a line that wraps could not be overwritten
   std::string bar(static_cast<std::size_t>(kWidth * fraction), '#');
   bar.resize(kWidth, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %3d%% %s", bar.c_str(), percent, stage);
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "] %3d%% ", static_cast<int>(100 * fraction));
+  const std::string line = ("[" + bar + percent + stage + place_).substr(0, kLine);
+  if (line == line_) return;
+  line_ = line;
+  std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
 }
 
 void ProgressBar::clear() {
-  if (percent_ >= 0) std::fputs("\r\033[K", stderr);
-  percent_ = -1;
+  if (!line_.empty()) std::fputs("\r\033[K", stderr);
+  line_.clear();
 }
 
 }  // namespace ga_symmetry::tool

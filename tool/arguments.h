@@ -36,7 +36,8 @@ void add_output(CLI::App& app, std::string& path, const std::string& help);
 /// Shows how far a computation is, where the standard error is a terminal.
 class ProgressBar {
  public:
-  explicit ProgressBar(bool wanted = true);
+  /// @param place  among other meshes, shown too
+  explicit ProgressBar(bool wanted = true, const std::string& place = "");
   ~ProgressBar() { clear(); }
   /// The context to compute with; refers to this bar.
   Context watch(const Context& context);
@@ -45,8 +46,7 @@ class ProgressBar {
  private:
   void show(double fraction, const char* stage);
   bool shown_;
-  int percent_ = -1;
-  std::string stage_;
+  std::string place_, line_;
 };
 
 }  // namespace ga_symmetry::tool

@@ -2,12 +2,19 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <stdexcept>
 
 #include "ga_symmetry/context.h"
 
 namespace ga_symmetry::tool {
 
-/// Runs a subcommand. Errors of the core pass through. @throws CLI::ValidationError  for wrong usage
+/// Stopped by the user, where there is more to say than that nothing was written.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a subcommand. Errors of the core pass through. @throws CLI::ValidationError  for wrong usage  @throws
+/// Interrupted
 using Run = std::function<void(const Context&)>;
 
 /// Registers the subcommand; `chosen` becomes its Run when the user names it.

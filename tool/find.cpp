@@ -1,5 +1,9 @@
-// ga_symmetry find: a mesh in, its partners out.
+// ga_symmetry find: a mesh in, its partners out; or many.
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +12,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "find_many.h"
 #include "ga_symmetry/export.h"
 #include "ga_symmetry/symmetry.h"
 
@@ -17,8 +22,9 @@ namespace {
 enum class Summary { unasked, text, json };
 
 struct Arguments {
-  std::string mesh, references;
-  std::vector<std::string> outputs;
+  std::vector<std::string> meshes, outputs, formats;
+  std::string references;
+  bool reference_files = false, redo = false;
   Summary summary = Summary::unasked;
   bool quiet = false;
   Options options;
@@ -31,9 +37,11 @@ constexpr const char* kExamples =
     "  ga_symmetry find body.ply --refs 12,40,7:9,3:5 -o body.csv -o body.ply\n"
     "  ga_symmetry find body.ply --refs 12,40,7,9 --method pairs --fitness linear\n"
     "  ga_symmetry find body.ply --summary json -o body.csv | jq .mean_fitness\n"
+    "  ga_symmetry find scans/ -o results/                       every mesh of a folder, results/NAME.csv for each\n"
+    "  ga_symmetry find a.ply b.ply --refs-files -o results/ --format csv,ply\n"
     "\n"
     "Without -o a summary is printed and no file is written.\n"
-    "Exit status: 0 done, 1 could not (no file is written), 2 wrong usage, 130 interrupted.";
+    "Exit status: 0 done, 1 could not (nothing is written; of many: for some), 2 wrong usage, 130 interrupted.";
 
 std::string join(const References& references) {
   std::string out;
@@ -78,26 +86,76 @@ void print_summary_json(const Result& r) {
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void run(const Arguments& arguments, const Context& interrupt) {
-  Options options = arguments.options;
-  options.references = parse_references(arguments.references);
-  for (const std::string& path : arguments.outputs) check_result_path(path);
+bool is_folder(const std::string& path) {
+  return std::filesystem::is_directory(path) || (!path.empty() && path.back() == '/');
+}
 
-  ProgressBar bar(!arguments.quiet);
+// The references of NAME.refs beside NAME.off: as --refs, but blanks and line ends do for commas.
+std::string read_reference_file(const std::string& mesh) {
+  const std::string path = std::filesystem::path(mesh).replace_extension(".refs").string();
+  std::ifstream in(path);
+  if (!in) throw FileError("cannot read " + path + ": it is to hold the references");
+  std::string out;
+  for (auto word = std::istream_iterator<std::string>(in); word != std::istream_iterator<std::string>(); ++word)
+    out += (out.empty() ? "" : ",") + *word;
+  return out;
+}
+
+Result find_one(const Arguments& a, const std::string& path, const std::vector<std::string>& outputs,
+                const std::string& place, const Context& interrupt) {
+  Options options = a.options;
+  options.references = parse_references(a.reference_files ? read_reference_file(path) : a.references);
+  ProgressBar bar(!a.quiet, place);
   const Context context = bar.watch(interrupt);
   context.report(0, "reading");
-  const TriangleMesh mesh = read_mesh(arguments.mesh);
-  const Result result = find_symmetry(mesh, options, context);
-  context.report(1, "writing");
-  if (!arguments.outputs.empty()) write_results(arguments.outputs, mesh, result);
-  bar.clear();
-  if (!arguments.quiet)
+  const TriangleMesh mesh = read_mesh(path);
+  Result result = find_symmetry(mesh, options, context.part(0.02, 0.98));
+  context.report(0.98, "writing");
+  if (!outputs.empty()) write_results(outputs, mesh, result);
+  return result;
+}
+
+void run_one(const Arguments& a, const Context& interrupt) {
+  for (const std::string& path : a.outputs) check_result_path(path);
+  const Result result = find_one(a, a.meshes[0], a.outputs, "", interrupt);
+  if (!a.quiet)
     for (const std::string& warning : result.warnings)
       std::fprintf(stderr, "ga_symmetry: warning: %s\n", warning.c_str());
-  if (arguments.summary == Summary::json)
+  if (a.summary == Summary::json)
     print_summary_json(result);
-  else if (arguments.outputs.empty() || arguments.summary == Summary::text)
+  else if (a.outputs.empty() || a.summary == Summary::text)
     print_summary(result);
+}
+
+void run_many(const Arguments& a, const Context& interrupt) {
+  const auto refuse = [](const char* option, const std::string& why) { throw CLI::ValidationError(option, why); };
+  if (a.outputs.size() != 1) refuse("--output", "must be one folder for several meshes");
+  const std::string ending = std::filesystem::path(a.outputs[0]).extension().string();
+  if (!is_folder(a.outputs[0]) && (ending == ".csv" || ending == ".json" || ending == ".ply"))
+    refuse("--output", "must be a folder for several meshes, got " + a.outputs[0]);
+  if (a.summary != Summary::unasked) refuse("--summary", "is for one mesh: the folder's summary.csv has them all");
+  // Options that are wrong for every mesh are refused now: they are looked at before the mesh, here an empty one.
+  Options options = a.options;
+  options.references = a.reference_files ? References{{0, 1}, {{2, 3}}} : parse_references(a.references);
+  try {
+    find_symmetry({}, options);
+  } catch (const InvalidMesh&) {
+  }
+  ManyMeshes many{a.meshes, a.outputs[0], a.formats, a.redo, a.quiet};
+  if (many.formats.empty()) many.formats = {"csv"};
+  find_many(many, [&](const std::string& mesh, const std::vector<std::string>& outputs, const std::string& place) {
+    return find_one(a, mesh, outputs, place, interrupt);
+  });
+}
+
+void run(const Arguments& a, const Context& interrupt) {
+  if (a.reference_files && !a.references.empty())
+    throw CLI::ValidationError("--refs-files", "and --refs cannot both be given");
+  if (a.meshes.size() > 1 || is_folder(a.meshes[0]) || std::any_of(a.outputs.begin(), a.outputs.end(), is_folder))
+    return run_many(a, interrupt);
+  if (a.redo || !a.formats.empty())
+    throw CLI::ValidationError(a.redo ? "--redo" : "--format", "goes with a folder: -o FOLDER/");
+  run_one(a, interrupt);
 }
 
 }  // namespace
@@ -107,16 +165,29 @@ void add_find(CLI::App& app, Run& chosen) {
   Options& options = arguments->options;
   CLI::App& find = *app.add_subcommand("find", "Find for every vertex its symmetric partner");
   find.footer(kExamples);
-  find.add_option("MESH", arguments->mesh, "Triangle mesh: .ply, .off, .obj or .stl")->required()->type_name("");
+  find.add_option("MESH", arguments->meshes,
+                  "Triangle mesh: .ply, .off, .obj or .stl; or several, or folders of them, with -o FOLDER")
+      ->required()
+      ->type_name("");
   find.add_option("-o,--output", arguments->outputs,
                   "Result, may be given several times: .csv (vertex,partner,fitness,side), .json (everything) or .ply "
-                  "(the coloured mesh)")
+                  "(the coloured mesh). A folder for many meshes: FOLDER/NAME.csv for each, and FOLDER/summary.csv; "
+                  "meshes whose outputs are there are skipped, and one that fails does not stop the rest")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  find.add_option("--refs", arguments->references,
-                  "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
-                  "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
-      ->type_name("a0,a1,l,r");
+  CLI::Option* references =
+      find.add_option("--refs", arguments->references,
+                      "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
+                      "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
+          ->type_name("a0,a1,l,r");
+  find.add_flag("--refs-files", arguments->reference_files,
+                "Take the references of NAME.off from NAME.refs beside it, written as for --refs or with blanks");
+  find.add_option("--format", arguments->formats, "Of the outputs in a folder, may be several: csv,ply [csv]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"csv", "json", "ply"}).description(""))
+      ->type_name("csv|json|ply");
+  find.add_flag("--redo", arguments->redo, "In a folder, also meshes whose outputs are there");
   add_choice(find, "--symmetry", options.symmetry,
              {{"reflection", SymmetryKind::reflection}, {"rotation", SymmetryKind::rotation}}, "Kind of symmetry");
   add_choice(find, "--method", options.method, {{"joint", Method::joint}, {"pairs", Method::pairs}},

@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
     return fail(kUsage, error.what());
   } catch (const Cancelled&) {
     return fail(kInterrupted, "interrupted, nothing was written");
+  } catch (const tool::Interrupted& error) {
+    return fail(kInterrupted, error.what());
   } catch (const InvalidOption& error) {
     return fail(kUsage, error.what());
   } catch (const std::bad_alloc&) {
