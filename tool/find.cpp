@@ -175,11 +175,10 @@ void add_find(CLI::App& app, Run& chosen) {
                   "meshes whose outputs are there are skipped, and one that fails does not stop the rest")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  CLI::Option* references =
-      find.add_option("--refs", arguments->references,
-                      "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
-                      "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
-          ->type_name("a0,a1,l,r");
+  find.add_option("--refs", arguments->references,
+                  "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
+                  "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
+      ->type_name("a0,a1,l,r");
   find.add_flag("--refs-files", arguments->reference_files,
                 "Take the references of NAME.off from NAME.refs beside it, written as for --refs or with blanks");
   find.add_option("--format", arguments->formats, "Of the outputs in a folder, may be several: csv,ply [csv]")
