@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,7 +33,11 @@ void parallel_for(int count, int threads, const std::function<void(int, int)>& b
     }
   };
   std::vector<std::thread> pool;
-  for (int worker = 1; worker < workers; ++worker) pool.emplace_back(work, worker);
+  pool.reserve(workers);
+  try {
+    for (int worker = 1; worker < workers; ++worker) pool.emplace_back(work, worker);
+  } catch (const std::system_error&) {  // no more threads to be had: those that run do the work
+  }
   work(0);
   for (std::thread& thread : pool) thread.join();
   if (error) std::rethrow_exception(error);
