@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -30,6 +31,10 @@ double triangle_area(const double* a, const double* b, const double* c) {
 std::string count_of(long n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 void check_input(const TriangleMesh& mesh) {
+  constexpr std::size_t kMost = std::numeric_limits<int>::max();  // corners are numbered in int
+  if (mesh.position.size() / 3 > kMost || mesh.triangle.size() > kMost)
+    throw InvalidMesh("the mesh has more than " + std::to_string(kMost / 3) + " faces or " + std::to_string(kMost) +
+                      " vertices: simplify it first");
   const int n = mesh.vertices();
   if (n == 0) throw InvalidMesh("the mesh is empty: open a mesh with triangles");
   if (mesh.triangles() == 0)
@@ -141,7 +146,8 @@ std::vector<int> one_component(const std::vector<double>& position, std::vector<
   if (count == 1) return triangle;
   if (!largest)
     throw InvalidMesh("the mesh has " + std::to_string(count) +
-                      " components: join them, remove the small ones, or choose to use the largest component");
+                      " components: merge close vertices if they only look joined, remove the small ones, or choose to "
+                      "use the largest component");
   std::vector<double> area(count, 0.0);
   for (std::size_t f = 0; f < component.size(); ++f) {
     const double* p[3];
@@ -232,7 +238,8 @@ Surface make_surface(const TriangleMesh& mesh, bool largest_component) {
   const int n = static_cast<int>(s.mesh_vertex.size());
   if (n < kMinVertices)
     throw InvalidMesh("the mesh has only " + std::to_string(n) + " connected vertices" + "; at least " +
-                      std::to_string(kMinVertices) + " are needed: subdivide it or open a finer one");
+                      std::to_string(kMinVertices) +
+                      " are needed: merge close vertices, subdivide it or open a finer one");
   link_corners(s);
   orient_faces(s);
   group_corners(s, n);
