@@ -325,7 +325,8 @@ Found find_jointly(const Surface& surface, const References& references, const O
   clock.stage_done("search");
   result.log = std::move(search.log);
   result.stop = search.stop;
-  if (search.maps.empty()) throw InvalidMesh("no symmetry found: the mesh has no distinct features to match");
+  if (search.maps.empty())
+    throw InvalidMesh("no symmetry found: give four (other) references, or search for the other kind of symmetry");
 
   context.report(0.6, "refinement");
   DistanceFields from(sites.samples + static_cast<int>(anchors.size()), surface.vertices());
