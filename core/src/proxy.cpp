@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/parallel.h"
@@ -73,7 +74,9 @@ void thin_out(ProxyMesh& mesh, double length, int vertices, const Context& conte
     for (std::size_t f = 0; f < mesh.face.size() && mesh.vn > vertices; ++f)
       for (int k = 0; k < 3 && !mesh.face[f].IsD(); ++k) {
         ProxyVertex *gone = mesh.face[f].V(k), *kept = mesh.face[f].V((k + 1) % 3);
-        if (gone->IsB() || vcg::SquaredDistance(gone->cP(), kept->cP()) > length * length) continue;
+        if (gone->IsB() || !gone->IsW() || !kept->IsW() ||
+            vcg::SquaredDistance(gone->cP(), kept->cP()) > length * length)
+          continue;
         if (!keeps_manifold(gone, kept) || folds(gone, kept)) continue;
         VertexPair pair(gone, kept);
         vcg::tri::EdgeCollapser<ProxyMesh, VertexPair>::Do(mesh, pair, kept->P());
@@ -93,6 +96,10 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
       mesh.vert[s.triangle[next_corner(static_cast<int>(c))]].SetB();
       mesh.vert[s.triangle[previous_corner(static_cast<int>(c))]].SetB();
     }
+  // Vertices of many faces stay as they are: each collapse beside them would look at all of those faces.
+  constexpr int kManyFaces = 64;
+  for (int v = 0; v < s.vertices(); ++v)
+    if (s.first_corner[v + 1] - s.first_corner[v] > kManyFaces) mesh.vert[v].ClearW();
   vcg::tri::UpdateTopology<ProxyMesh>::VertexFace(mesh);
   constexpr int kThinned = 5;  // times the proxy's vertices are left to the quadrics
   const int thinned = kThinned * vertices;
@@ -108,6 +115,8 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   parameters.NormalCheck = true;
   parameters.QualityQuadric = true;  // distances want triangles of good shape on flat parts too
   parameters.QualityQuadricWeight = 0.02;
+  static std::mutex one_at_a_time;  // vcglib keeps the session's state in static variables
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   vcg::LocalOptimization<ProxyMesh> session(mesh, &parameters);
   session.Init<Collapse>();
   const int start = mesh.vn;
