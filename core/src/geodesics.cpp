@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <queue>
 #include <string>
 #include <utility>
 
@@ -25,6 +27,9 @@ constexpr int kCurvatureRings = 3;
 // Buckets of the queue, and how many of them an average edge spans.
 constexpr int kBuckets = 1024;
 constexpr float kBucketsPerEdge = 16;
+// An edge that spans less of a bucket is short for it, and so many of them are too many.
+constexpr float kShortest = 0.25f;
+constexpr int kMostShort = 256;
 
 // A neighbour of a vertex, and the angle to the next neighbour in the list if they share a triangle.
 struct Spoke {
@@ -116,6 +121,41 @@ class Queue {
   int size_ = 0;
 };
 
+// The same in exact order: buckets as wide as whole parts of the mesh would be visited in no order at all, again and
+// again, so this is for meshes with many edges that are far shorter than the average.
+class ExactQueue {
+ public:
+  explicit ExactQueue(Node* node) : node_(node) {}
+
+  bool empty() const { return size_ == 0; }
+
+  void put(int v, float distance, float curvature) {
+    Node& x = node_[v];
+    if (x.prev == kOut) ++size_;
+    x = {distance, curvature, -1, 0};
+    heap_.emplace(distance, v);
+  }
+
+  int take(int& after) {
+    after = -1;
+    for (;;) {
+      const auto [distance, v] = heap_.top();
+      heap_.pop();
+      Node& x = node_[v];
+      if (x.prev == kOut || x.distance != distance) continue;  // has been put again since
+      x.prev = kOut;
+      --size_;
+      return v;
+    }
+  }
+
+ private:
+  using Entry = std::pair<float, int>;
+  Node* node_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> heap_;
+  int size_ = 0;
+};
+
 // Curvature of the front where it crosses an edge, from that at its ends: the mean of the radii where it spreads, as
 // the radius grows by the way travelled. If the radius is too small for the edge, the ends have seen different fronts;
 // only the source's own front may be that narrow.
@@ -172,6 +212,7 @@ struct GeodesicSolver::Impl {
   std::vector<Hub> hub;     // n + 1
   std::vector<Spoke> spoke;
   float buckets_per_length = 0;
+  bool uneven = false;  // too many edges are short against a bucket
 
   void renumber(const Surface& s);
   void link(const Surface& s);
@@ -183,6 +224,8 @@ struct GeodesicSolver::Impl {
   }
   template <bool labelled>
   void march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached) const;
+  template <bool labelled, class Waiting>
+  void march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached, Waiting queue) const;
 };
 
 struct GeodesicSolver::Workspace {
@@ -278,6 +321,8 @@ void GeodesicSolver::Impl::link(const Surface& s) {
   }
   hub.push_back({static_cast<int>(spoke.size()), 0});
   buckets_per_length = static_cast<float>(kBucketsPerEdge * static_cast<double>(spoke.size()) / total_length);
+  uneven = std::count_if(spoke.begin(), spoke.end(),
+                         [&](const Spoke& s) { return s.length * buckets_per_length < kShortest; }) > kMostShort;
 }
 
 // Angle defect over area, averaged over a few rings; 0 where the surface ends, as nothing is known there.
@@ -333,8 +378,18 @@ template <bool labelled>
 void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w,
                                  std::vector<int>* reached) const {
   Node* const node = w.node.data();
+  if (uneven)
+    march<labelled>(sources, count, limit, w, reached, ExactQueue(node));
+  else
+    march<labelled>(sources, count, limit, w, reached,
+                    Queue(node, w.head.data(), w.occupied.data(), buckets_per_length));
+}
+
+template <bool labelled, class Waiting>
+void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached,
+                                 Waiting queue) const {
+  Node* const node = w.node.data();
   int* const label = w.label.data();
-  Queue queue(node, w.head.data(), w.occupied.data(), buckets_per_length);
   for (int i = 0; i < count; ++i) {
     if (node[sources[i]].distance == 0) continue;
     queue.put(sources[i], 0, kPointCurvature);
