@@ -33,6 +33,10 @@ bool is_real(std::string_view word) {
   return error == std::errc::result_out_of_range && end == word.data() + word.size();
 }
 
+void report_row(long row, long rows, const Context& context) {
+  if (row % 4096 == 0) context.report(static_cast<double>(row) / static_cast<double>(rows), "reading");
+}
+
 void check_counts(long vertices, long faces, std::size_t bytes) {
   constexpr std::size_t kLeastBytes = 6;  // "0 0 0\n"; no row of a text or binary file is shorter
   if (vertices < 0 || faces < 0) refuse("the header gives a negative number of vertices or faces");
@@ -82,7 +86,7 @@ class OffWords {
 
 }  // namespace
 
-void check_off(std::string_view text) {
+void check_off(std::string_view text, const Context& context) {
   OffWords words(text);
   if (!words.next_line()) refuse("the file is empty");
   std::string_view magic = words.left_in_line() ? words.next("the word OFF") : std::string_view();
@@ -99,6 +103,7 @@ void check_off(std::string_view text) {
   check_counts(vertices, faces, text.size());
   if (!words.next_line() && vertices > 0) refuse("the file ends before the first vertex");
   for (long v = 0; v < vertices; ++v) {
+    report_row(v, vertices + faces, context);
     for (int k = 0; k < (normals ? 6 : 3); ++k) words.next_real();
     if (colored) {  // 0 to 4 numbers, to the end of the line or the texture coordinates
       const std::size_t texture = textured ? 2 : 0;
@@ -109,6 +114,7 @@ void check_off(std::string_view text) {
     for (int k = 0; k < (textured ? 2 : 0); ++k) words.next_real();
   }
   for (long f = 0; f < faces; ++f) {
+    report_row(vertices + f, vertices + faces, context);
     if (!words.next_line() || !words.left_in_line())
       refuse_line(words.number(), "the file ends or has a blank line where face " + std::to_string(f) + " of " +
                                       std::to_string(faces) + " should follow");
@@ -301,10 +307,12 @@ void check_vertex_element(const PlyElement& vertex, PlyFormat format) {
 
 }  // namespace
 
-void check_ply(std::string_view text) {
+void check_ply(std::string_view text, const Context& context) {
   LineReader lines(text);
   const PlyHeader header = ply_header(lines);
   long vertices = -1;
+  long rows = 0, row_of_all = 0;
+  for (const PlyElement& element : header.elements) rows += element.rows;
   PlyValues values(lines.rest(), header.format);
   for (const PlyElement& element : header.elements) {
     const PlyProperty* corners = nullptr;
@@ -321,7 +329,8 @@ void check_ply(std::string_view text) {
     } else if (element.rows > 0 &&
                (element.name == "edge" || element.name == "tristrips" || element.name == "range_grid"))
       refuse("the element " + quoted(element.name) + " is not supported: save it with faces only");
-    for (long row = 0; row < element.rows; ++row)
+    for (long row = 0; row < element.rows; ++row) {
+      report_row(row_of_all++, rows, context);
       for (const PlyProperty& p : element.properties) {
         if (!p.list) {
           values.skip(p.type);
@@ -344,6 +353,7 @@ void check_ply(std::string_view text) {
                    std::to_string(vertices));
         }
       }
+    }
   }
   if (vertices < 0) refuse("it has no element vertex");
 }

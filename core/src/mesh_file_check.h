@@ -7,12 +7,16 @@
 #include <string>
 #include <string_view>
 
+#include "ga_symmetry/context.h"
+
 namespace ga_symmetry {
 
+/// Reports progress.
 /// @param text  the whole file
 /// @throws FileError  what is wrong and where, without the file's name
-void check_off(std::string_view text);
-void check_ply(std::string_view text);
+/// @throws Cancelled
+void check_off(std::string_view text, const Context& context);
+void check_ply(std::string_view text, const Context& context);
 /// A word of a file for a message: short, printable, in quotation marks.
 std::string quoted(std::string_view word);
 

@@ -1,10 +1,9 @@
-#include <vcg/complex/algorithms/clean.h>
-#include <vcg/complex/algorithms/update/flag.h>
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/import_off.h>
 #include <wrap/io_trimesh/import_ply.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -12,11 +11,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ga_symmetry/errors.h"
@@ -56,30 +57,40 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
+// vcglib's importers tell a plain function how far they are, and heed no answer but an exception.
+thread_local const Context* importing = nullptr;
+bool report_import(int percent, const char*) {
+  importing->report(std::clamp(0.01 * percent, 0.0, 1.0), "reading");
+  return true;
+}
+
 template <class Importer>
-void import(FileMesh& mesh, const std::string& path) {
+void import(FileMesh& mesh, const std::string& path, const Context& context) {
+  const Context second_half = context.part(0.5, 1);
+  importing = &second_half;
   int mask = 0;
-  if (const int error = Importer::Open(mesh, path.c_str(), mask)) throw FileError(Importer::ErrorMsg(error));
+  if (const int error = Importer::Open(mesh, path.c_str(), mask, report_import))
+    throw FileError(Importer::ErrorMsg(error));
 }
 
 // A file may carry the flags of the program that wrote it; "deleted" and the like mean nothing here.
 TriangleMesh without_flags(FileMesh& mesh) {
-  vcg::tri::UpdateFlags<FileMesh>::VertexClear(mesh);
-  vcg::tri::UpdateFlags<FileMesh>::FaceClear(mesh);
+  for (FileVertex& v : mesh.vert) v.Flags() = 0;
+  for (FileFace& f : mesh.face) f.Flags() = 0;
   return to_triangle_mesh(mesh);
 }
 
-TriangleMesh read_off(const std::string& path, std::string_view text) {
-  check_off(text);
+TriangleMesh read_off(const std::string& path, std::string_view text, const Context& context) {
+  check_off(text, context.part(0, 0.5));
   FileMesh mesh;
-  import <vcg::tri::io::ImporterOFF<FileMesh>>(mesh, path);
+  import <vcg::tri::io::ImporterOFF<FileMesh>>(mesh, path, context);
   return without_flags(mesh);
 }
 
-TriangleMesh read_ply(const std::string& path, std::string_view text) {
-  check_ply(text);
+TriangleMesh read_ply(const std::string& path, std::string_view text, const Context& context) {
+  check_ply(text, context.part(0, 0.5));
   FileMesh mesh;
-  import <vcg::tri::io::ImporterPLY<FileMesh>>(mesh, path);
+  import <vcg::tri::io::ImporterPLY<FileMesh>>(mesh, path, context);
   return without_flags(mesh);
 }
 
@@ -105,13 +116,14 @@ std::vector<float> binary_stl_corners(std::string_view text) {
   return corners;
 }
 
-std::vector<float> ascii_stl_corners(std::string_view text) {
+std::vector<float> ascii_stl_corners(std::string_view text, const Context& context) {
   std::vector<float> corners;
   std::size_t facets = 0;
   bool closed = false;
   LineReader lines(text);
   std::string_view line;
   while (lines.next(line)) {
+    if (lines.number() % 4096 == 0 && context.cancelled()) throw Cancelled();
     const std::vector<std::string_view> words = split(line);
     if (words.empty()) continue;
     closed = words[0] == "endsolid";
@@ -129,29 +141,43 @@ std::vector<float> ascii_stl_corners(std::string_view text) {
 }
 
 // vcglib's importer does not end on a text without a line end, and searches the header of a binary file, which need not
-// end in a zero, for words past its end. Its merging of vertices is used.
-TriangleMesh read_stl(std::string_view text) {
+// end in a zero, for words past its end. Corners of the same coordinates are one vertex, faces that this leaves with
+// less than three are dropped.
+TriangleMesh read_stl(std::string_view text, const Context& context) {
   std::vector<float> corners = binary_stl_corners(text);
-  if (corners.empty() && text.substr(0, 5) == "solid") corners = ascii_stl_corners(text);
+  if (corners.empty() && text.substr(0, 5) == "solid") corners = ascii_stl_corners(text, context);
   if (corners.empty()) throw FileError("it holds no triangles, or is not an STL of the size that it promises");
-  FileMesh mesh;
-  vcg::tri::Allocator<FileMesh>::AddVertices(mesh, corners.size() / 3);
-  vcg::tri::Allocator<FileMesh>::AddFaces(mesh, corners.size() / 9);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (!std::isfinite(corners[i]))  // and so equal to no other
-      throw FileError("triangle " + std::to_string(i / 9) + " has a coordinate that is not finite");
-    mesh.vert[i / 3].P()[i % 3] = corners[i];
-    mesh.face[i / 9].V(i / 3 % 3) = &mesh.vert[i / 3];
+  using Corner = std::array<float, 3>;
+  struct Hash {
+    std::size_t operator()(const Corner& c) const {
+      return std::hash<std::string_view>()({reinterpret_cast<const char*>(c.data()), sizeof c});
+    }
+  };
+  std::unordered_map<Corner, int, Hash> vertex_at;
+  vertex_at.reserve(corners.size() / 12);  // a closed surface has half as many vertices as triangles, or less
+  TriangleMesh mesh;
+  for (std::size_t f = 0; f < corners.size() / 9; ++f) {
+    if (f % 4096 == 0 && context.cancelled()) throw Cancelled();
+    std::array<int, 3> face;
+    for (int k = 0; k < 3; ++k) {
+      Corner corner;
+      for (int i = 0; i < 3; ++i) corner[i] = corners[9 * f + 3 * k + i] + 0.0f;                 // -0 is 0
+      if (!std::all_of(corner.begin(), corner.end(), [](float x) { return std::isfinite(x); }))  // and so equal to none
+        throw FileError("triangle " + std::to_string(f) + " has a coordinate that is not finite");
+      const auto [it, fresh] = vertex_at.try_emplace(corner, mesh.vertices());
+      if (fresh) mesh.position.insert(mesh.position.end(), corner.begin(), corner.end());
+      face[k] = it->second;
+    }
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      mesh.triangle.insert(mesh.triangle.end(), face.begin(), face.end());
   }
-  vcg::tri::Clean<FileMesh>::RemoveDuplicateVertex(mesh);
-  vcg::tri::Allocator<FileMesh>::CompactEveryVector(mesh);
-  return to_triangle_mesh(mesh);
+  return mesh;
 }
 
 // The vcglib of MeshLab 2020.09 leaves out every face at the first vertex: it checks the same index twice, and takes
 // its own 0 for an error. Hence this reader of what a triangle mesh needs: v and f, negative indices, a \ at a line's
 // end. Polygons become fans, as in vcglib's importers.
-TriangleMesh read_obj(std::string_view text) {
+TriangleMesh read_obj(std::string_view text, const Context& context) {
   TriangleMesh mesh;
   LineReader lines(text);
   std::string line;
@@ -168,6 +194,7 @@ TriangleMesh read_obj(std::string_view text) {
   };
   std::vector<int> face;
   while (next_line()) {
+    if (lines.number() % 4096 == 0 && context.cancelled()) throw Cancelled();
     const std::vector<std::string_view> words = split(std::string_view(line).substr(0, line.find('#')));
     if (words.empty() || (words[0] != "v" && words[0] != "f")) continue;
     if (words[0] == "v") {
@@ -197,17 +224,19 @@ TriangleMesh read_obj(std::string_view text) {
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::string& path) {
+TriangleMesh read_mesh(const std::string& path, const Context& context) {
   try {
     std::string ending = std::filesystem::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending != ".ply" && ending != ".off" && ending != ".obj" && ending != ".stl")
       throw FileError("its name must end in .ply, .off, .obj or .stl");
     const std::string text = read_file(path);
-    if (ending == ".ply") return read_ply(path, text);
-    if (ending == ".off") return read_off(path, text);
-    if (ending == ".stl") return read_stl(text);
-    return read_obj(text);
+    if (ending == ".ply") return read_ply(path, text, context);
+    if (ending == ".off") return read_off(path, text, context);
+    if (ending == ".stl") return read_stl(text, context);
+    return read_obj(text, context);
+  } catch (const Cancelled&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw FileError("cannot read " + path + ": it does not fit into memory");
   } catch (const std::exception& e) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/context.h"
+
 namespace ga_symmetry {
 
 /// A triangle mesh as it stands in its file: nothing checked, nothing removed.
@@ -30,6 +32,7 @@ TriangleMesh to_triangle_mesh(const VcgMesh& m) {
 
 /// Reads PLY, OFF, OBJ or STL (polygons are split into triangles; STL corners are merged).
 /// @throws FileError  with the reason, if the file cannot be read as a triangle mesh
-TriangleMesh read_mesh(const std::string& path);
+/// @throws Cancelled
+TriangleMesh read_mesh(const std::string& path, const Context& context = {});
 
 }  // namespace ga_symmetry
