@@ -94,7 +94,11 @@ class PendingFile {
   std::string temporary_;
 };
 
-std::string to_csv(const Result& result) {
+void stop_at(std::size_t v, const Context& context) {
+  if (v % 65536 == 0 && context.cancelled()) throw Cancelled();
+}
+
+std::string to_csv(const Result& result, const Context& context) {
   std::string out = "vertex,partner,fitness,side\n";
   char cell[32];
   const auto append = [&](auto value, char end) {
@@ -102,6 +106,7 @@ std::string to_csv(const Result& result) {
     out += end;
   };
   for (std::size_t v = 0; v < result.partner.size(); ++v) {
+    stop_at(v, context);
     append(v, ',');
     append(result.partner[v], ',');
     append(result.fitness[v], ',');
@@ -112,12 +117,16 @@ std::string to_csv(const Result& result) {
 
 using Json = nlohmann::ordered_json;
 
+Json to_json(double value) { return value; }
+Json to_json(int value) { return value; }
 Json to_json(const SurfacePoint& p) {
   return {p.vertex[0], p.vertex[1], p.vertex[2], p.weight[0], p.weight[1], p.weight[2]};
 }
 
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 // All of Result but the seconds, which would make the files of two equal runs differ.
-std::string to_json(const TriangleMesh& mesh, const Result& result) {
+std::string to_json(const TriangleMesh& mesh, const Result& result, const Context& context) {
   Json json;
   json["format"] = "ga_symmetry result";
   json["version"] = 1;
@@ -148,12 +157,23 @@ std::string to_json(const TriangleMesh& mesh, const Result& result) {
   for (const GenerationLog& g : result.log)
     json["log"].push_back(
         {{"generation", g.generation}, {"best", g.best}, {"mean", g.mean}, {"diversity", g.diversity}});
-  json["partner"] = result.partner;
-  json["fitness"] = result.fitness;
-  json["side"] = result.side;
-  json["partner_point"] = Json::array();
-  for (const SurfacePoint& p : result.partner_point) json["partner_point"].push_back(to_json(p));
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string out = dump(json);
+  out.pop_back();
+  // What is long goes out value by value: as one document it would take many times its size in memory.
+  const auto append = [&](const char* name, const auto& values) {
+    out += std::string(",\"") + name + "\":[";
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      stop_at(v, context);
+      if (v > 0) out += ',';
+      out += dump(to_json(values[v]));
+    }
+    out += ']';
+  };
+  append("partner", result.partner);
+  append("fitness", result.fitness);
+  append("side", result.side);
+  append("partner_point", result.partner_point);
+  return out + "}\n";
 }
 
 class PlyVertex;
@@ -280,26 +300,30 @@ void check_result_path(const std::string& path) {
   const PendingFile probe(path);
 }
 
-void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result) {
+void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result,
+                   const Context& context) {
   check_fits(mesh, result);
   for (const std::string& path : paths) check_result_path(path);
   std::vector<std::unique_ptr<PendingFile>> files;
   for (const std::string& path : paths) {
+    context.report(static_cast<double>(files.size()) / static_cast<double>(paths.size()), "writing");
     files.push_back(std::make_unique<PendingFile>(path));
     const PendingFile& file = *files.back();
     switch (format_of(path)) {
       case Format::csv:
-        file.write(to_csv(result));
+        file.write(to_csv(result, context));
         break;
       case Format::json:
-        file.write(to_json(mesh, result));
+        file.write(to_json(mesh, result, context));
         break;
       case Format::ply:
         write_ply(path, file, mesh, result);
         break;
     }
+    stop_at(0, context);
     file.sync();
   }
+  stop_at(0, context);
   for (const auto& file : files) file->commit();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/context.h"
 #include "ga_symmetry/result.h"
 #include "ga_symmetry/triangle_mesh.h"
 
@@ -24,6 +25,8 @@ void write_file(const std::string& path, const std::string& bytes);
 
 /// write_result for several files: all of them are written under other names before the first one appears.
 /// @throws InvalidOption, FileError  as write_result; then none was changed, unless the very renaming failed
-void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result);
+/// @throws Cancelled  then none was changed
+void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result,
+                   const Context& context = {});
 
 }  // namespace ga_symmetry
