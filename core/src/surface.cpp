@@ -82,19 +82,35 @@ void check_areas(const std::vector<double>& position, const std::vector<int>& tr
                       "): merge close vertices and remove zero area faces, then close the holes");
 }
 
+void stop_at(std::size_t i, const Context& context) {
+  if (i % 65536 == 0 && context.cancelled()) throw Cancelled();
+}
+
 // Fills Surface::opposite. @throws InvalidMesh on an edge with more than two faces
-void link_corners(Surface& s) {
+void link_corners(Surface& s, const Context& context) {
   struct Edge {
     int low, high, corner;
   };
+  // Grouped by the lower vertex first: the few edges of each are sorted in no time.
+  const auto edge_of = [&](int c) -> Edge {
+    const auto [low, high] = std::minmax(s.triangle[next_corner(c)], s.triangle[previous_corner(c)]);
+    return {low, high, c};
+  };
   std::vector<Edge> edges(s.triangle.size());
+  std::vector<int> first(s.mesh_vertex.size() + 1, 0);
+  for (int c = 0; c < static_cast<int>(edges.size()); ++c) ++first[edge_of(c).low + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> at = first;
   for (int c = 0; c < static_cast<int>(edges.size()); ++c) {
-    const int a = s.triangle[next_corner(c)], b = s.triangle[previous_corner(c)];
-    edges[c] = {std::min(a, b), std::max(a, b), c};
+    stop_at(c, context);
+    const Edge edge = edge_of(c);
+    edges[at[edge.low]++] = edge;
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
-    return x.low != y.low ? x.low < y.low : x.high != y.high ? x.high < y.high : x.corner < y.corner;
-  });
+  for (std::size_t v = 0; v < s.mesh_vertex.size(); ++v) {
+    stop_at(v, context);
+    std::sort(edges.begin() + first[v], edges.begin() + first[v + 1],
+              [](const Edge& x, const Edge& y) { return x.high != y.high ? x.high < y.high : x.corner < y.corner; });
+  }
   s.opposite.assign(s.triangle.size(), -1);
   long bad = 0;
   int bad_a = 0, bad_b = 0;
@@ -173,7 +189,7 @@ void group_corners(Surface& s, int n) {
 }
 
 // Orients faces alike, starting from the first face of each part; a conflict means a one-sided surface.
-void orient_faces(Surface& s) {
+void orient_faces(Surface& s, const Context& context) {
   const int m = s.triangles();
   std::vector<char> flip(m, -1);
   std::vector<int> stack;
@@ -183,6 +199,7 @@ void orient_faces(Surface& s) {
     stack.push_back(start);
     while (!stack.empty()) {
       const int f = stack.back();
+      stop_at(f, context);
       stack.pop_back();
       for (int c = 3 * f; c < 3 * f + 3; ++c) {
         const int o = s.opposite[c];
@@ -205,7 +222,7 @@ void orient_faces(Surface& s) {
   if (std::find(flip.begin(), flip.end(), 1) == flip.end()) return;
   for (int f = 0; f < m; ++f)
     if (flip[f]) std::swap(s.triangle[3 * f + 1], s.triangle[3 * f + 2]);
-  link_corners(s);
+  link_corners(s, context);
 }
 
 }  // namespace
@@ -213,13 +230,16 @@ void orient_faces(Surface& s) {
 double Surface::unit() const { return std::sqrt(area); }
 double Surface::edge_length(int a, int b) const { return std::sqrt(squared(point(a), point(b))); }
 
-Surface make_surface(const TriangleMesh& mesh, bool largest_component) {
+Surface make_surface(const TriangleMesh& mesh, bool largest_component, const Context& context) {
   check_input(mesh);
   const std::vector<double> position = normalized(mesh);
+  stop_at(0, context);
   check_areas(position, mesh.triangle);
+  stop_at(0, context);
   Surface s;
   s.mesh_vertices = mesh.vertices();
   s.triangle = one_component(position, mesh.triangle, largest_component, s.warnings);
+  stop_at(0, context);
 
   std::vector<int> index(mesh.vertices(), -1);
   for (int v : mesh.triangle) index[v] = 0;
@@ -240,8 +260,9 @@ Surface make_surface(const TriangleMesh& mesh, bool largest_component) {
     throw InvalidMesh("the mesh has only " + std::to_string(n) + " connected vertices" + "; at least " +
                       std::to_string(kMinVertices) +
                       " are needed: merge close vertices, subdivide it or open a finer one");
-  link_corners(s);
-  orient_faces(s);
+  link_corners(s, context);
+  orient_faces(s, context);
+  stop_at(0, context);
   group_corners(s, n);
   s.vertex_area.assign(n, 0.0);
   for (int f = 0; f < s.triangles(); ++f) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/context.h"
 #include "ga_symmetry/triangle_mesh.h"
 
 namespace ga_symmetry {
@@ -40,6 +41,7 @@ inline int previous_corner(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
 /// @param largest_component  keep the component of the largest area instead of refusing several
 /// @throws InvalidMesh  in one line with the remedy: no faces, fewer than 20 used vertices, a coordinate that is not
 ///         finite, an index out of range, a zero-area face, an edge with more than two faces, several components
-Surface make_surface(const TriangleMesh& mesh, bool largest_component = false);
+/// @throws Cancelled
+Surface make_surface(const TriangleMesh& mesh, bool largest_component = false, const Context& context = {});
 
 }  // namespace ga_symmetry
