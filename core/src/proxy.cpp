@@ -68,10 +68,11 @@ void thin_out(ProxyMesh& mesh, double length, int vertices, const Context& conte
     }
     return false;
   };
+  const int start = mesh.vn;
   for (int before = mesh.vn + 1; mesh.vn > vertices && mesh.vn < before;) {
     before = static_cast<int>(0.98 * mesh.vn);  // the next round is not worth it if this one takes less away
-    if (context.cancelled()) throw Cancelled();
-    for (std::size_t f = 0; f < mesh.face.size() && mesh.vn > vertices; ++f)
+    for (std::size_t f = 0; f < mesh.face.size() && mesh.vn > vertices; ++f) {
+      if (f % 65536 == 0) context.report(static_cast<double>(start - mesh.vn) / (start - vertices), "simplifying");
       for (int k = 0; k < 3 && !mesh.face[f].IsD(); ++k) {
         ProxyVertex *gone = mesh.face[f].V(k), *kept = mesh.face[f].V((k + 1) % 3);
         if (gone->IsB() || !gone->IsW() || !kept->IsW() ||
@@ -81,6 +82,7 @@ void thin_out(ProxyMesh& mesh, double length, int vertices, const Context& conte
         VertexPair pair(gone, kept);
         vcg::tri::EdgeCollapser<ProxyMesh, VertexPair>::Do(mesh, pair, kept->P());
       }
+    }
   }
   vcg::tri::Allocator<ProxyMesh>::CompactEveryVector(mesh);
 }
@@ -89,6 +91,7 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   ProxyMesh mesh;
   vcg::tri::Allocator<ProxyMesh>::AddVertices(mesh, s.vertices());
   vcg::tri::Allocator<ProxyMesh>::AddFaces(mesh, s.triangles());
+  context.report(0, "simplifying");
   for (int v = 0; v < s.vertices(); ++v) mesh.vert[v].P() = {s.point(v)[0], s.point(v)[1], s.point(v)[2]};
   for (std::size_t c = 0; c < s.triangle.size(); ++c) mesh.face[c / 3].V(c % 3) = &mesh.vert[s.triangle[c]];
   for (std::size_t c = 0; c < s.triangle.size(); ++c)
@@ -103,9 +106,10 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   vcg::tri::UpdateTopology<ProxyMesh>::VertexFace(mesh);
   constexpr int kThinned = 5;  // times the proxy's vertices are left to the quadrics
   const int thinned = kThinned * vertices;
+  constexpr double kBegun = 0.5;  // progress, of a mesh that is thinned first
+  const Context rest = context.part(mesh.vn > thinned ? kBegun : 0, 1);
   if (mesh.vn > thinned) {
-    context.report(0, "simplifying");
-    thin_out(mesh, std::sqrt(s.area / thinned), thinned, context);
+    thin_out(mesh, std::sqrt(s.area / thinned), thinned, context.part(0, kBegun));
     vcg::tri::UpdateTopology<ProxyMesh>::VertexFace(mesh);
   }
   vcg::tri::UpdateNormal<ProxyMesh>::PerVertexNormalizedPerFaceNormalized(mesh);
@@ -122,10 +126,8 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   const int start = mesh.vn;
   session.SetTargetVertices(vertices);
   session.SetTimeBudget(0.2f);
-  while (session.DoOptimization() && mesh.vn > vertices) {
-    if (context.cancelled()) throw Cancelled();
-    context.report(static_cast<double>(start - mesh.vn) / std::max(1, start - vertices), "simplifying");
-  }
+  while (session.DoOptimization() && mesh.vn > vertices)
+    rest.report(static_cast<double>(start - mesh.vn) / std::max(1, start - vertices), "simplifying");
   session.Finalize<Collapse>();
   vcg::tri::Allocator<ProxyMesh>::CompactEveryVector(mesh);
   TriangleMesh out;
@@ -226,7 +228,7 @@ std::vector<SurfacePoint> find_places(const Surface& large, const Surface& small
   order.reserve(n);
   face[0] = locator.search(0, place[0]);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k % 65536 == 0 && context.cancelled()) throw Cancelled();
+    if (k % 16384 == 0) context.report(static_cast<double>(k) / n, "simplifying");
     const int v = order[k];
     for (int i = large.first_corner[v]; i < large.first_corner[v + 1]; ++i)
       for (int w :
@@ -252,10 +254,11 @@ Vector position(const Surface& s, const SurfacePoint& p) {
 int Proxy::nearest(int v) const { return place[v].vertex[heaviest(place[v])]; }
 
 Proxy make_proxy(const Surface& surface, int vertices, const Context& context) {
+  constexpr double kSimplified = 0.6;  // progress
   Proxy out;
-  out.surface = make_surface(simplify(surface, vertices, context));
+  out.surface = make_surface(simplify(surface, vertices, context.part(0, kSimplified)), false, context);
   const Surface& small = out.surface;
-  out.place = find_places(surface, small, context);
+  out.place = find_places(surface, small, context.part(kSimplified, 1));
   out.vertex.assign(small.vertices(), -1);
   std::vector<double> least(small.vertices(), std::numeric_limits<double>::infinity());
   for (int v = 0; v < surface.vertices(); ++v)
@@ -280,7 +283,9 @@ CarriedMap carry_to(const Surface& surface, const Proxy& proxy, const std::vecto
   CarriedMap out{std::vector<int>(n), std::vector<SurfacePoint>(n)};
   std::vector<Vector> image(small.vertices());
   for (int p = 0; p < small.vertices(); ++p) image[p] = position(small, point[p]);
-  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+  const int blocks = (n + kBlock - 1) / kBlock;
+  parallel_for(blocks, threads, [&](int block, int worker) {
+    if (worker == 0) context.report(static_cast<double>(block) / blocks, "all vertices");  // the calling thread
     if (context.cancelled()) throw Cancelled();
     for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
       const SurfacePoint& place = proxy.place[v];
