@@ -19,7 +19,7 @@ struct Arguments {
 void run(const Arguments& a, const Context& interrupt) {
   const bool drawing = wants_drawing(a.output);
   ProgressBar bar;
-  const TriangleMesh mesh = read_mesh(a.mesh);
+  const TriangleMesh mesh = read_mesh(a.mesh, interrupt);
   const auto values = asymmetry(mesh, read_checked_partners(a.partners, mesh), a.options, bar.watch(interrupt));
   bar.clear();
   if (drawing) return deliver(a.output, to_ply({mesh.position, values, {}, mesh.triangle}));

@@ -18,7 +18,7 @@ struct Arguments {
 void run(const Arguments& a, const Context& interrupt) {
   const bool drawing = wants_drawing(a.output);
   ProgressBar bar;
-  const TriangleMesh mesh = read_mesh(a.mesh);
+  const TriangleMesh mesh = read_mesh(a.mesh, interrupt);
   const Partners partners = read_checked_partners(a.partners, mesh);
   const auto lines = axis_lines(mesh, partners, a.threads, bar.watch(interrupt));
   bar.clear();

@@ -41,12 +41,12 @@ struct Subject {
   bench::KnownSymmetry known;
 };
 
-std::vector<Subject> read_subjects(const Arguments& a) {
+std::vector<Subject> read_subjects(const Arguments& a, const Context& context) {
   namespace fs = std::filesystem;
   std::vector<Subject> out;
   std::set<std::string> names;
   for (const std::string& path : a.meshes) {
-    Subject s{fs::path(path).stem().string(), read_mesh(path), {}};
+    Subject s{fs::path(path).stem().string(), read_mesh(path, context), {}};
     if (!names.insert(s.name).second)
       throw InvalidOption("two meshes have the name " + s.name + ": rename one of them");
     std::string folder = a.truth;
@@ -255,7 +255,7 @@ void run(const Arguments& a, const Context& interrupt) {
   ProgressBar bar;
   const Context context = bar.watch(interrupt);
   context.report(0, "reading");
-  const std::vector<Subject> subjects = read_subjects(a);
+  const std::vector<Subject> subjects = read_subjects(a, interrupt);
   const std::size_t repeats = static_cast<std::size_t>(a.repeats);
   Steps steps(context,
               subjects.size() * (repeats * a.seeds.size() * (a.methods.size() + 2) + 2 * a.seeds.size() + 1) + 1);

@@ -107,11 +107,9 @@ Result find_one(const Arguments& a, const std::string& path, const std::vector<s
   options.references = parse_references(a.reference_files ? read_reference_file(path) : a.references);
   ProgressBar bar(!a.quiet, place);
   const Context context = bar.watch(interrupt);
-  context.report(0, "reading");
-  const TriangleMesh mesh = read_mesh(path);
-  Result result = find_symmetry(mesh, options, context.part(0.02, 0.98));
-  context.report(0.98, "writing");
-  if (!outputs.empty()) write_results(outputs, mesh, result);
+  const TriangleMesh mesh = read_mesh(path, context.part(0, 0.1));
+  Result result = find_symmetry(mesh, options, context.part(0.1, 0.9));
+  if (!outputs.empty()) write_results(outputs, mesh, result, context.part(0.9, 1));
   return result;
 }
 

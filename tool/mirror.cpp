@@ -18,9 +18,9 @@ struct Arguments {
   Transfer transfer = Transfer::left_to_right;
 };
 
-void run(const Arguments& a) {
+void run(const Arguments& a, const Context& interrupt) {
   if (wants_drawing(a.output)) throw CLI::ValidationError("--output", "must end in .csv, got " + a.output);
-  const TriangleMesh mesh = read_mesh(a.mesh);
+  const TriangleMesh mesh = read_mesh(a.mesh, interrupt);
   const TransferPlan plan = plan_transfer(read_checked_partners(a.partners, mesh), a.transfer);
   ValueTable values = read_value_table(a.values, mesh.vertices());
   for (auto& column : values.columns) column = transferred(column, plan, a.transfer);
@@ -61,7 +61,7 @@ void add_mirror(CLI::App& app, Run& chosen) {
       "  ga_symmetry find body.ply -o body.csv\n"
       "  ga_symmetry mirror body.ply body.csv weights.csv -o mirrored.csv\n"
       "  ga_symmetry mirror body.ply body.csv weights.csv --direction average -o even.csv");
-  command.callback([arguments, &chosen] { chosen = [arguments](const Context&) { run(*arguments); }; });
+  command.callback([arguments, &chosen] { chosen = [arguments](const Context& c) { run(*arguments, c); }; });
 }
 
 }  // namespace ga_symmetry::tool

@@ -17,8 +17,8 @@ struct Arguments {
 
 void run(const Arguments& a, const Context& context) {
   const bool drawing = wants_drawing(a.output);
-  const TriangleMesh mesh = read_mesh(a.mesh);
-  const Surface surface = make_surface(mesh);
+  const TriangleMesh mesh = read_mesh(a.mesh, context);
+  const Surface surface = make_surface(mesh, false, context);
   const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), a.count, a.threads, context);
   const std::vector<int> patch = sample_patches(samples);
   Table table("vertex,patch,sample");

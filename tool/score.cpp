@@ -27,8 +27,8 @@ void add_score(CLI::App& app, Run& chosen) {
       "(involution).\n\n"
       "Example:\n  ga_symmetry score body.off body.truth body.csv");
   score.callback([arguments, &chosen] {
-    chosen = [arguments](const Context&) {
-      const TriangleMesh mesh = read_mesh(arguments->mesh);
+    chosen = [arguments](const Context& context) {
+      const TriangleMesh mesh = read_mesh(arguments->mesh, context);
       const Evaluation e =
           evaluate_partners(mesh, read_truth(arguments->truth), read_partners(arguments->result, mesh).partner);
       std::printf("mean %.4f corr %.4f coverage %.4f involution %.4f lines %zu\n", e.mean, e.corr, e.coverage,
