@@ -51,6 +51,36 @@ void match(const Surface& surface, const Features& features, const Landmarks& la
   }
 }
 
+// How far off the features are at the partners, smoothed over the surface: n x dimension.
+std::vector<float> smooth_differences(const Surface& surface, const Features& features, const std::vector<int>& partner,
+                                      int threads, const Context& context) {
+  constexpr int kRounds = 5;
+  const int n = surface.vertices(), dimension = features.dimension;
+  std::vector<float> now(static_cast<std::size_t>(n) * dimension), next(now.size());
+  const auto row = [&](std::vector<float>& data, int v) {
+    return Eigen::Map<Eigen::ArrayXf>(&data[static_cast<std::size_t>(v) * dimension], dimension);
+  };
+  using Row = Eigen::Map<const Eigen::ArrayXf>;
+  for (int v = 0; v < n; ++v)
+    row(now, v) =
+        Row(features.of(features.target, partner[v]), dimension) - Row(features.of(features.source, v), dimension);
+  constexpr int kBlock = 256;
+  for (int round = 0; round < kRounds; ++round) {
+    parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+      if (context.cancelled()) throw Cancelled();
+      for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+        auto mean = row(next, v);
+        mean = row(now, v);
+        const int first = surface.first_corner[v], last = surface.first_corner[v + 1];
+        for (int i = first; i < last; ++i) mean += row(now, surface.triangle[next_corner(surface.corner_at[i])]);
+        mean /= static_cast<float>(last - first + 1);
+      }
+    });
+    now.swap(next);
+  }
+  return now;
+}
+
 // The point on the faces around `c` whose interpolated features match best.
 SurfacePoint on_face(const Surface& surface, const Features& features, const Matcher& matcher, int c) {
   SurfacePoint best{{c, c, c}, {1, 0, 0}};
@@ -115,14 +145,25 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 }  // namespace
 
 DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                        const CurvatureFeatures& curvature, bool reflection, int threads, const Context& context) {
+                        const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
+                        const Context& context) {
   DenseMap map;
   const Features features =
-      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), reflection);
+      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), options.reflection);
   match(surface, features, refined.landmarks, fields, map, threads, context);
+  std::vector<float> wanted;  // per vertex: the features of its partner
+  if (options.noise_filter) {
+    wanted = smooth_differences(surface, features, map.partner, threads, context);
+    for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
+  }
   map.point.resize(surface.vertices());
   map.uncertainty.resize(surface.vertices());
   for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
+    if (options.noise_filter) {
+      float error;
+      matcher.look_for(features.of(wanted, v));
+      map.partner[v] = matcher.descend(map.partner[v], error);
+    }
     map.point[v] = on_face(surface, features, matcher, map.partner[v]);
     map.uncertainty[v] =
         static_cast<float>(position_uncertainty(surface, features, matcher, map.partner[v], map.residual[v]));

@@ -88,6 +88,7 @@ void thin_out(ProxyMesh& mesh, double length, int vertices, const Context& conte
 }
 
 TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
+  context.report(0, "simplifying");
   ProxyMesh mesh;
   vcg::tri::Allocator<ProxyMesh>::AddVertices(mesh, s.vertices());
   vcg::tri::Allocator<ProxyMesh>::AddFaces(mesh, s.triangles());
@@ -121,6 +122,7 @@ TriangleMesh simplify(const Surface& s, int vertices, const Context& context) {
   parameters.QualityQuadricWeight = 0.02;
   static std::mutex one_at_a_time;  // vcglib keeps the session's state in static variables
   const std::lock_guard<std::mutex> lock(one_at_a_time);
+  rest.report(0, "simplifying");
   vcg::LocalOptimization<ProxyMesh> session(mesh, &parameters);
   session.Init<Collapse>();
   const int start = mesh.vn;

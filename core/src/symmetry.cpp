@@ -38,9 +38,12 @@ const char* to_string(StopReason reason) {
 
 namespace {
 
-constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity
-constexpr int kMaxOrder = 12;  // of rotations
+constexpr int kNeighbors = 8;              // samples that count as near for orientation and continuity
+constexpr int kMaxOrder = 12;              // of rotations
+constexpr int kCompared = 3, kAll = 1000;  // survivors taken to vertex resolution, to find the best or any
 constexpr double kShortestAxis = 0.05;
+constexpr const char* kNoSymmetry =
+    "no symmetry found: give four (other) references, or search for the other kind of symmetry";
 constexpr double kDoubtful = 0.2;           // confidence
 constexpr double kWorthProxy = 1.5;         // a surface so many times larger than its proxy is searched on it
 constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
@@ -58,6 +61,7 @@ void check(const char* name, double value, double low, double high, const char* 
 
 void check_options(const Options& o) {
   check("threads", o.threads, 0, 256, "[0, 256]");
+  check("max fitness", o.max_fitness, 0, 1e6, "[0, 1e6]");
   if (o.method == Method::pairs) {
     if (o.symmetry != SymmetryKind::reflection)
       throw InvalidOption("the method `pairs` finds reflections only: use the method `joint` for rotations");
@@ -67,6 +71,7 @@ void check_options(const Options& o) {
     return;
   }
   if (o.proxy != 0) check("proxy", o.proxy, 1000, 1e6, "[1000, 1000000], or 0 for none");
+  check("rank", o.rank, 1, 30, "[1, 30]");
   const JointOptions& j = o.joint;
   check("joint samples", j.samples, 20, 1000, "[20, 1000]");
   check("joint sites", j.sites, j.samples, 5000, "[joint samples, 5000]");
@@ -150,7 +155,7 @@ SurfacePoint to_mesh(const Surface& surface, SurfacePoint p) {
   return p;
 }
 
-void finish(const Surface& surface, Found found, Result& result) {
+void finish(const Surface& surface, Found found, double max_fitness, Result& result) {
   const int n = surface.mesh_vertices;
   result.partner.assign(n, -1);
   result.side.assign(n, 0);
@@ -159,6 +164,10 @@ void finish(const Surface& surface, Found found, Result& result) {
   for (int v = 0; v < surface.vertices(); ++v) {
     if (found.partner[v] < 0) continue;
     worst = std::max(worst, found.fitness[v]);
+    if (max_fitness > 0 && found.fitness[v] > max_fitness) {
+      found.partner[v] = -1;
+      continue;
+    }
     sum += found.fitness[v];
     ++result.matched;
   }
@@ -175,10 +184,11 @@ void finish(const Surface& surface, Found found, Result& result) {
   for (auto& line : found.axis)
     for (auto& p : line) p = to_mesh(surface, p);
   result.axis = std::move(found.axis);
-  for (auto& pair : result.pairs) {
-    pair.vertex = surface.mesh_vertex[pair.vertex];
-    pair.partner = surface.mesh_vertex[pair.partner];
-  }
+  std::vector<SymmetricPair> pairs;
+  for (const SymmetricPair& pair : result.pairs)
+    if (found.partner[pair.vertex] >= 0)
+      pairs.push_back({surface.mesh_vertex[pair.vertex], surface.mesh_vertex[pair.partner], pair.fitness});
+  result.pairs = std::move(pairs);
 }
 
 Found find_by_pairs(const Surface& surface, const References& references, const Options& options, Random& random,
@@ -264,98 +274,163 @@ std::vector<double> vertex_fitness(const Surface& surface, const DenseMap& map, 
 
 struct Candidate {
   RefinedLandmarks refined;
-  int map = 0;  // in JointResult::maps
+  int order = 0;
   double score = 0;
 };
 
-// How badly distances and curvature agree under a map: root mean square over the sites, which are as good as evenly
-// spaced vertices, and relative to how far it moves them. Any shape is its own identity, and a thin one is nearly its
-// own mirror image from front to back: agreement is evidence only where points are moved.
-double disagreement(const Surface& surface, const Sites& sites, const RefinedLandmarks& landmarks,
-                    const DistanceFields& from, const CurvatureFeatures& curvature, bool reflection) {
-  constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
-  const Probes probes = match_probes(surface, landmarks, from, curvature, sites.vertex, reflection);
-  double error = 0, moved = 0;
-  for (int k = 0; k < sites.count(); ++k) {
-    error += std::min(kCap, probes.error[k]);
-    const double d2 = std::pow(sites.field(k, probes.partner[k]) / surface.unit(), 2);
-    moved += d2 / (d2 + kMoved2);
-  }
-  moved /= sites.count();
-  return std::sqrt(error / sites.count()) / std::pow(moved, 1.5);
+// Everything that is known of a surface before its partners: the survivors of the search, and what ranks them.
+struct Survey {
+  Sites sites;
+  std::vector<int> nearest_site;  // per vertex
+  std::vector<Anchor> anchors;
+  DistanceFields from;  // of the samples, then of the anchors
+  CurvatureFeatures curvature;
+  RefineOptions refine;
+  std::vector<Candidate> ranking;  // distinct, best first
+  std::vector<GenerationLog> log;
+  StopReason stop = StopReason::max_generations;
+};
+
+std::vector<int> nearest_sites(const Sites& sites) {
+  std::vector<int> nearest(sites.field.cols(), 0);
+  for (int k = 1; k < sites.count(); ++k)
+    for (std::size_t v = 0; v < nearest.size(); ++v)
+      if (sites.field(k, v) < sites.field(nearest[v], v)) nearest[v] = k;
+  return nearest;
 }
 
-// The survivors of the search, best first; the first few at vertex resolution.
-std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolver& solver, const Sites& sites,
-                                      const JointResult& search, const std::vector<Anchor>& anchors,
-                                      const DistanceFields& from, const CurvatureFeatures& curvature,
-                                      const RefineOptions& refine, const Options& options, const Context& context) {
-  constexpr std::size_t kRefined = 3;
-  std::vector<Candidate> out(search.maps.size());
-  const DistanceFields images = anchor_fields(solver, anchors, &Anchor::image, options.threads);
-  parallel_for(static_cast<int>(out.size()), options.threads, [&](int i, int) {
-    out[i].map = i;
-    out[i].score = disagreement(surface, sites, make_landmarks(sites, search.maps[i], anchors, images), from, curvature,
-                                refine.reflection);
-  });
-  const auto by_score = [](const Candidate& a, const Candidate& b) { return a.score < b.score; };
-  std::stable_sort(out.begin(), out.end(), by_score);
-  out.resize(std::min(kRefined, out.size()));
-  for (Candidate& c : out) {
-    c.refined = refine_landmarks(surface, solver, make_landmarks(sites, search.maps[c.map], anchors, images), from,
-                                 curvature, refine, options.threads, context);
-    c.score = disagreement(surface, sites, c.refined, from, curvature, refine.reflection);
+// How badly distances, curvature and descriptors agree under a map: root mean square over the sites, which are as good
+// as evenly spaced vertices, and relative to how far it moves them. Any shape is its own identity, and a thin one is
+// nearly its own mirror image from front to back: agreement is evidence only where points are moved. To move all of
+// them proves no more than to move most, as a reflection does; or an animal would be mirrored head to tail.
+double disagreement(const Surface& surface, const Survey& survey, const RefinedLandmarks& landmarks) {
+  constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
+  constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.75;
+  const Sites& sites = survey.sites;
+  const Probes probes =
+      match_probes(surface, landmarks, survey.from, survey.curvature, sites.vertex, survey.refine.reflection);
+  double error = 0, moved = 0, unlike = 0;
+  for (int k = 0; k < sites.count(); ++k) {
+    error += std::min(kCap, probes.error[k]);
+    const int partner = probes.partner[k];
+    const double d2 = std::pow(sites.field(k, partner) / surface.unit(), 2);
+    moved += d2 / (d2 + kMoved2);
+    const auto difference = sites.descriptor.row(k) - sites.descriptor.row(survey.nearest_site[partner]);
+    unlike += difference.array().square().min(1.f).mean();
   }
-  std::stable_sort(out.begin(), out.end(), by_score);
+  error /= sites.count(), moved /= sites.count(), unlike /= sites.count();
+  return (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 1.25);
+}
+
+bool same_symmetry(const Surface& surface, const Survey& survey, const Candidate& a, const Candidate& b) {
+  constexpr double kSame = 0.1;  // mean distance of their images, in units
+  double apart = 0;
+  for (int i = 0; i < survey.sites.samples; ++i)
+    apart += survey.sites.field(survey.nearest_site[a.refined.landmarks.to[i]], b.refined.landmarks.to[i]);
+  return apart < kSame * surface.unit() * survey.sites.samples;
+}
+
+// The maps that survived the search, best first; the best `count` of them at vertex resolution, and only those.
+std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolver& solver, const Survey& survey,
+                                      const std::vector<SampleMap>& maps, int count, int threads,
+                                      const Context& context) {
+  const DistanceFields images = anchor_fields(solver, survey.anchors, &Anchor::image, threads);
+  struct Survivor {
+    const SampleMap* map;
+    double score;
+  };
+  std::vector<Survivor> survivors(maps.size());
+  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
+    const RefinedLandmarks landmarks = make_landmarks(survey.sites, maps[i], survey.anchors, images);
+    survivors[i] = {&maps[i], disagreement(surface, survey, landmarks)};
+  });
+  const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
+  std::stable_sort(survivors.begin(), survivors.end(), by_score);
+  survivors.resize(std::min<std::size_t>(count, survivors.size()));
+  std::vector<Candidate> refined, out;
+  for (const Survivor& s : survivors) {
+    Candidate c;
+    c.refined = refine_landmarks(surface, solver, make_landmarks(survey.sites, *s.map, survey.anchors, images),
+                                 survey.from, survey.curvature, survey.refine, threads, context);
+    c.order = survey.refine.reflection ? 2 : order_of(survey.sites, *s.map);
+    c.score = disagreement(surface, survey, c.refined);
+    refined.push_back(std::move(c));
+  }
+  std::stable_sort(refined.begin(), refined.end(), by_score);
+  for (Candidate& c : refined)
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const Candidate& better) { return same_symmetry(surface, survey, better, c); }))
+      out.push_back(std::move(c));
+  return out;
+}
+
+// Searches, and ranks what survives. The ranking is empty if nothing does.
+Survey survey_symmetries(const Surface& surface, const GeodesicSolver& solver, HeatDiffusion& diffusion,
+                         const References& references, const Options& options, int count, Random& random,
+                         const Context& context, StageClock& clock) {
+  Survey out;
+  context.report(0.02, "distances");
+  out.sites =
+      make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads, context);
+  clock.stage_done("distances");
+  context.report(0.4, "search");
+  const Sites& sites = out.sites;
+  out.anchors = make_anchors(references, options.symmetry);
+  const JointProblem problem(sites, surface, solver, options.symmetry, out.anchors, options.joint);
+  JointResult search = search_joint(problem, options.joint, random, options.threads, context);
+  clock.stage_done("search");
+  out.log = std::move(search.log);
+  out.stop = search.stop;
+
+  context.report(0.6, "refinement");
+  const int anchors = static_cast<int>(out.anchors.size());
+  out.nearest_site = nearest_sites(sites);
+  out.from.resize(sites.samples + anchors, surface.vertices());
+  out.from.topRows(sites.samples) = sites.field.topRows(sites.samples);
+  out.from.bottomRows(anchors) = anchor_fields(solver, out.anchors, &Anchor::vertex, options.threads);
+  out.refine.fixed = anchors;
+  out.refine.reflection = options.symmetry == SymmetryKind::reflection;
+  out.curvature = curvature_features(surface, diffusion);
+  out.ranking = rank_survivors(surface, solver, out, search.maps, count, options.threads, context);
   return out;
 }
 
 Found find_jointly(const Surface& surface, const References& references, const Options& options, Random& random,
                    const Context& context, StageClock& clock, Result& result) {
   const GeodesicSolver solver(surface);
-  const bool reflection = options.symmetry == SymmetryKind::reflection;
-  context.report(0.02, "distances");
-  const Sites sites =
-      make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads, context);
-  clock.stage_done("distances");
-  context.report(0.4, "search");
-  const std::vector<Anchor> anchors = make_anchors(references, options.symmetry);
-  const JointProblem problem(sites, surface, solver, options.symmetry, anchors, options.joint);
-  JointResult search = search_joint(problem, options.joint, random, options.threads, context);
-  clock.stage_done("search");
-  result.log = std::move(search.log);
-  result.stop = search.stop;
-  if (search.maps.empty())
-    throw InvalidMesh("no symmetry found: give four (other) references, or search for the other kind of symmetry");
-
-  context.report(0.6, "refinement");
-  DistanceFields from(sites.samples + static_cast<int>(anchors.size()), surface.vertices());
-  from.topRows(sites.samples) = sites.field.topRows(sites.samples);
-  from.bottomRows(static_cast<int>(anchors.size())) = anchor_fields(solver, anchors, &Anchor::vertex, options.threads);
-  RefineOptions refine;
-  refine.fixed = static_cast<int>(anchors.size());
-  refine.reflection = reflection;
   HeatDiffusion diffusion(surface);
-  const CurvatureFeatures curvature = curvature_features(surface, diffusion);
-  std::vector<Candidate> ranking =
-      rank_survivors(surface, solver, sites, search, anchors, from, curvature, refine, options, context);
-  for (const Candidate& c : ranking)
-    result.symmetries.push_back({options.symmetry, reflection ? 2 : order_of(sites, search.maps[c.map]), c.score});
+  Survey survey = survey_symmetries(surface, solver, diffusion, references, options,
+                                    options.rank == 1 ? kCompared : kAll, random, context, clock);
+  result.log = std::move(survey.log);
+  result.stop = survey.stop;
+  const std::vector<Candidate>& ranking = survey.ranking;
+  if (ranking.empty()) throw InvalidMesh(kNoSymmetry);
+  if (options.rank > static_cast<int>(ranking.size()))
+    throw InvalidOption("rank must be at most " + std::to_string(ranking.size()) +
+                        ", the number of symmetries found, got " + std::to_string(options.rank));
+  for (const Candidate& c : ranking) result.symmetries.push_back({options.symmetry, c.order, c.score});
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
-  if (anchors.empty() && result.confidence < kDoubtful)
+  if (survey.anchors.empty() && options.rank == 1 && result.confidence < kDoubtful)
     result.warnings.push_back("two symmetries fit almost equally well (confidence " +
                               std::to_string(result.confidence).substr(0, 4) +
-                              "): look at the result, and give references if it is the other that you want");
-  result.order = result.symmetries[0].order;
-  RefinedLandmarks refined = std::move(ranking[0].refined);
-  for (double weight : {0.0, kAdjustCurvature}) {
-    refine.curvature = weight;
-    refined = adjust_landmarks(surface, solver, std::move(refined), from, curvature, refine, options.threads, context);
-  }
+                              "): look at the result; for the other give references or take rank 2");
+  result.order = ranking[options.rank - 1].order;
+  RefinedLandmarks refined = std::move(survey.ranking[options.rank - 1].refined);
+  const bool reflection = survey.refine.reflection;
+  const DistanceFields& from = survey.from;
+  if (options.local_refinement)
+    for (double weight : {0.0, kAdjustCurvature}) {
+      survey.refine.curvature = weight;
+      refined = adjust_landmarks(surface, solver, std::move(refined), from, survey.curvature, survey.refine,
+                                 options.threads, context);
+    }
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");
-  DenseMap map = make_dense_map(surface, refined, from, curvature, reflection, options.threads, context);
+  DenseMapOptions dense;
+  dense.reflection = reflection;
+  dense.noise_filter = options.noise_filter;
+  DenseMap map = make_dense_map(surface, refined, from, survey.curvature, dense, options.threads, context);
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");
@@ -363,10 +438,10 @@ Found find_jointly(const Surface& surface, const References& references, const O
   found.fitness = vertex_fitness(surface, map, from, reflection, diffusion);
   if (reflection) {
     int left = -1;  // the user's own pair says which side is left
-    if (!references.pairs.empty()) left = sites.samples + static_cast<int>(references.axis.size());
+    if (!references.pairs.empty()) left = survey.sites.samples + static_cast<int>(references.axis.size());
     found.left = left_right_function(surface, refined.landmarks, from, refined.to_field, left);
   }
-  for (int i = 0; i < sites.samples; ++i) {
+  for (int i = 0; i < survey.sites.samples; ++i) {
     const int v = refined.landmarks.from[i];
     result.pairs.push_back({v, map.partner[v], found.fitness[v]});
   }
@@ -398,14 +473,59 @@ References on_proxy(const References& references, const Proxy& proxy) {
   return out;
 }
 
+// Empty where the surface is small enough, or cannot be simplified.
+std::optional<Proxy> proxy_of(const Surface& surface, const Options& options, const Context& context, StageClock& clock,
+                              std::vector<std::string>& warnings) {
+  std::optional<Proxy> proxy;
+  if (options.proxy == 0 || surface.vertices() <= kWorthProxy * options.proxy) return proxy;
+  try {
+    proxy = make_proxy(surface, options.proxy, context);
+  } catch (const InvalidMesh&) {
+    warnings.push_back("the mesh could not be simplified, so all its vertices were searched: that takes long");
+  }
+  clock.stage_done("proxy");
+  return proxy;
+}
+
 }  // namespace
+
+std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options options, const Context& context) {
+  constexpr double kWorthListing = 2;  // times the best score: what is worse is no symmetry
+  options.method = Method::joint;
+  check_options(options);
+  context.report(0, "checking the mesh");
+  std::vector<StageTime> seconds;
+  std::vector<std::string> warnings;
+  StageClock clock(seconds);
+  const Surface surface = make_surface(mesh, options.largest_component, context.part(0, 0.05));
+  const References references = on_surface(options.references, surface);
+  const std::optional<Proxy> proxy = proxy_of(surface, options, context.part(0.05, 0.2), clock, warnings);
+  const Surface& searched = proxy ? proxy->surface : surface;
+  const GeodesicSolver solver(searched);
+  HeatDiffusion diffusion(searched);
+  std::vector<FoundSymmetry> out;
+  for (SymmetryKind kind : {SymmetryKind::reflection, SymmetryKind::rotation}) {
+    options.symmetry = kind;
+    Random random(options.seed);
+    const double begin = kind == SymmetryKind::reflection ? 0.2 : 0.6;
+    const Survey survey =
+        survey_symmetries(searched, solver, diffusion, proxy ? on_proxy(references, *proxy) : references, options, kAll,
+                          random, context.part(begin, begin + 0.4), clock);
+    for (const Candidate& c : survey.ranking) out.push_back({kind, c.order, c.score});
+  }
+  if (out.empty()) throw InvalidMesh(kNoSymmetry);
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+  const double most = kWorthListing * out[0].score;
+  out.erase(std::remove_if(out.begin(), out.end(), [&](const auto& f) { return f.score > most; }), out.end());
+  return out;
+}
 
 Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Context& context) {
   check_options(options);
   context.report(0, "checking the mesh");
   Result result;
   StageClock clock(result.seconds);
-  const Surface surface = make_surface(mesh, options.largest_component);
+  const Surface surface = make_surface(mesh, options.largest_component, context);
   const References references = on_surface(options.references, surface);
   result.kind = options.symmetry;
   result.seed = options.seed;
@@ -415,15 +535,9 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   clock.stage_done("surface");
   Random random(options.seed);
   Found found;
-  std::optional<Proxy> proxy;
-  if (options.method == Method::joint && options.proxy > 0 && surface.vertices() > kWorthProxy * options.proxy) {
-    try {
-      proxy = make_proxy(surface, options.proxy, context.part(0, 0.3));
-    } catch (const InvalidMesh&) {
-      result.warnings.push_back("the mesh could not be simplified, so all its vertices were searched: that takes long");
-    }
-    clock.stage_done("proxy");
-  }
+  const std::optional<Proxy> proxy = options.method == Method::joint
+                                         ? proxy_of(surface, options, context.part(0, 0.3), clock, result.warnings)
+                                         : std::nullopt;
   if (options.method == Method::pairs) {
     found = find_by_pairs(surface, references, options, random, context, clock, result);
   } else if (!proxy) {
@@ -432,7 +546,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
     const Found small = find_jointly(proxy->surface, on_proxy(references, *proxy), options, random,
                                      context.part(0.3, 0.8), clock, result);
     context.report(0.8, "all vertices");
-    found = carry(surface, *proxy, small, options.threads, context, result);
+    found = carry(surface, *proxy, small, options.threads, context.part(0.8, 0.95), result);
     clock.stage_done("all vertices");
   }
   context.report(0.95, "axis");
@@ -440,7 +554,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
     found.side = found.left.empty() ? std::vector<int>(surface.vertices(), 0) : sides(surface, found.left);
   if (!found.left.empty()) found.axis = zero_set(surface, found.left, kShortestAxis);
   clock.stage_done("axis");
-  finish(surface, std::move(found), result);
+  finish(surface, std::move(found), options.max_fitness, result);
   context.report(1, "done");
   return result;
 }

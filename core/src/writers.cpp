@@ -66,10 +66,14 @@ class PendingFile {
 
   const std::string& temporary() const { return temporary_; }
 
-  void write(const std::string& bytes) const {
+  void write(const std::string& bytes, const Context& context = {}) const {
+    constexpr std::size_t kPiece = 1 << 24;
     errno = 0;
     std::ofstream out(temporary_, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    for (std::size_t at = 0; at < bytes.size() && out; at += kPiece) {
+      if (context.cancelled()) throw Cancelled();
+      out.write(bytes.data() + at, static_cast<std::streamsize>(std::min(kPiece, bytes.size() - at)));
+    }
     out.close();
     if (!out) fail(path_, errno ? std::strerror(errno) : "it could not be written whole");
   }
@@ -213,7 +217,8 @@ bool is_whole(const std::string& path, const TriangleMesh& mesh) {
                                                          kFace * static_cast<std::uintmax_t>(mesh.triangles());
 }
 
-void write_ply(const std::string& path, const PendingFile& file, const TriangleMesh& mesh, const Result& result) {
+void write_ply(const std::string& path, const PendingFile& file, const TriangleMesh& mesh, const Result& result,
+               const Context& context) {
   PlyMesh out;
   vcg::tri::Allocator<PlyMesh>::AddVertices(out, mesh.vertices());
   vcg::tri::Allocator<PlyMesh>::AddFaces(out, mesh.triangles());
@@ -232,6 +237,7 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
   add_attribute(out, info, "symmetry_partner", result.partner);
   add_attribute(out, info, "symmetry_fitness", result.fitness);
   add_attribute(out, info, "symmetry_side", result.side);
+  stop_at(0, context);
   using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
   const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
   for (const std::string& name : info.VertAttrNameVec)  // a mesh does not free its attributes
@@ -311,13 +317,13 @@ void write_results(const std::vector<std::string>& paths, const TriangleMesh& me
     const PendingFile& file = *files.back();
     switch (format_of(path)) {
       case Format::csv:
-        file.write(to_csv(result, context));
+        file.write(to_csv(result, context), context);
         break;
       case Format::json:
-        file.write(to_json(mesh, result, context));
+        file.write(to_json(mesh, result, context), context);
         break;
       case Format::ply:
-        write_ply(path, file, mesh, result);
+        write_ply(path, file, mesh, result, context);
         break;
     }
     stop_at(0, context);

@@ -18,11 +18,18 @@ struct DenseMap {
   std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face; surface vertices
 };
 
+struct DenseMapOptions {
+  bool reflection = true;
+  bool noise_filter = true;  ///< average over neighbours by how much distances to a vertex's partner are off: what is
+                             ///< left is the pose's, not the vertex's; partners then are where that leads
+};
+
 /// partner(v) is the vertex whose distances to the landmarks' images are most like those of v to the landmarks, and
 /// whose curvature is most like v's; near landmarks count more. Found by descent on the mesh from where the partners of
 /// near landmarks and of v's neighbours stand, so the work is linear in the vertices.
 /// @throws Cancelled
 DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                        const CurvatureFeatures& curvature, bool reflection, int threads, const Context& context = {});
+                        const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
+                        const Context& context = {});
 
 }  // namespace ga_symmetry

@@ -35,7 +35,7 @@ struct SymmetricPair {
   double fitness = 0;
 };
 
-/// One distinct symmetry that the search found, best first in Result::symmetries.
+/// One distinct symmetry that the search found.
 struct FoundSymmetry {
   SymmetryKind kind = SymmetryKind::reflection;
   int order = 2;     ///< applied so often it is the identity; 2 for a reflection
@@ -60,7 +60,7 @@ struct Result {
   int order = 2;
   std::vector<SymmetricPair> pairs;                 ///< the samples and their partners
   std::vector<std::vector<SurfacePoint>> axis;      ///< polylines on the surface; a closed one repeats its first point
-  std::vector<FoundSymmetry> symmetries;            ///< all distinct ones, best first
+  std::vector<FoundSymmetry> symmetries;            ///< distinct ones of this kind, best first
   double confidence = 1;                            ///< [0,1]: how far the best is ahead of the runner-up
   std::vector<int> axis_references;                 ///< as used
   std::vector<std::array<int, 2>> pair_references;  ///< as used

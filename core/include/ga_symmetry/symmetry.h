@@ -72,6 +72,12 @@ struct Options {
   int threads = 0;         ///< 0 = all cores, [0, 256]; speed only, never results
   int proxy = 6000;  ///< a mesh of more than 1.5 times as many vertices is searched on a simplified one of so many, and
                      ///< the result carried back; [1000, 1000000], 0 = never; method joint only
+  int rank = 1;      ///< 1 = the best of the symmetries found, 2 = the next best, ..., [1, 30]; method joint only
+  bool local_refinement =
+      true;                  ///< move all partners of the samples together to where distances agree best; joint only
+  bool noise_filter = true;  ///< smooth what the distances to a vertex's partner are off; joint only
+  double max_fitness = 0;    ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
+                             ///< side lacks; 0 = keep all, [0, 1e6]
   bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
   PairsOptions pairs;
   JointOptions joint;
@@ -80,8 +86,15 @@ struct Options {
 /// Finds for every vertex its partner under an intrinsic symmetry.
 /// @throws InvalidMesh    if the mesh is empty, a point cloud, too small, non-manifold, has zero-area faces, several
 ///                        components or coordinates that are not finite
-/// @throws InvalidOption  if an option is out of its range; `pairs` without two axis references and a pair
+/// @throws InvalidOption  if an option is out of its range; `pairs` without two axis references and a pair; a rank
+///                        beyond the symmetries found
 /// @throws Cancelled      if the context asked to stop
 Result find_symmetry(const TriangleMesh& mesh, const Options& options = {}, const Context& context = {});
+
+/// The distinct symmetries of both kinds that the joint search finds, best first; those whose score is more than twice
+/// the best one's are left out. `symmetry` and `rank` of the options do not matter; the n-th of its kind here is that
+/// of rank n there.
+/// @throws as find_symmetry
+std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options options = {}, const Context& context = {});
 
 }  // namespace ga_symmetry
