@@ -1,0 +1,89 @@
+// The hot paths alone, each on spheres of some sizes, one thread; see geodesics_bench for accuracy and scaling_bench
+// for the whole.
+//
+//   kernels_bench [--benchmark_filter=...]
+#include <benchmark/benchmark.h>
+
+#include <numeric>
+#include <vector>
+
+#include "ga_symmetry/dense_map.h"
+#include "ga_symmetry/joint.h"
+#include "ga_symmetry/proxy.h"
+#include "spheres.h"
+
+namespace {
+
+using namespace ga_symmetry;
+
+// Uneven enough that no vertex is like another.
+Surface sphere(int parts) { return make_surface(spheres::icosphere(parts, 0.2 / parts)); }
+
+void distance_field(benchmark::State& state) {
+  const Surface surface = sphere(static_cast<int>(state.range(0)));
+  const GeodesicSolver solver(surface);
+  const auto workspace = solver.make_workspace();
+  std::vector<float> field(surface.vertices());
+  for (auto _ : state) {
+    solver.field(0, field.data(), *workspace);
+    benchmark::DoNotOptimize(field.data());
+  }
+  state.counters["vertices"] = surface.vertices();
+}
+BENCHMARK(distance_field)->Arg(24)->Arg(35)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void simplification(benchmark::State& state) {
+  const Surface surface = sphere(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(make_proxy(surface, 6000));
+  state.counters["vertices"] = surface.vertices();
+}
+BENCHMARK(simplification)->Arg(35)->Arg(100)->Unit(benchmark::kMillisecond);
+
+// A surface as small as those that are searched, with the sites of the default options.
+struct Scene {
+  Surface surface = sphere(24);
+  GeodesicSolver solver{surface};
+  JointOptions options;
+  Sites sites = make_sites(surface, solver, options.samples, options.sites, 8, 1);
+  SampleMap itself = SampleMap(sites.samples);
+  Scene() { std::iota(itself.begin(), itself.end(), 0); }
+};
+const Scene& scene() {
+  static const Scene made;
+  return made;
+}
+
+void joint_cost(benchmark::State& state) {
+  const Scene& s = scene();
+  const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
+  for (auto _ : state) benchmark::DoNotOptimize(problem.cost(s.itself));
+}
+BENCHMARK(joint_cost)->Unit(benchmark::kMicrosecond);
+
+void joint_evaluation(benchmark::State& state) {
+  const Scene& s = scene();
+  const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
+  for (auto _ : state) {
+    SampleMap map = problem.polar_map(0, 1, 0);
+    benchmark::DoNotOptimize(problem.evaluate(map, 0));
+  }
+}
+BENCHMARK(joint_evaluation)->Unit(benchmark::kMicrosecond);
+
+void dense_map(benchmark::State& state) {
+  const Scene& s = scene();
+  HeatDiffusion diffusion(s.surface);
+  const CurvatureFeatures curvature = curvature_features(s.surface, diffusion);
+  const DistanceFields fields = s.sites.field.topRows(s.sites.samples);
+  RefinedLandmarks refined;
+  refined.landmarks.from.assign(s.sites.vertex.begin(), s.sites.vertex.begin() + s.sites.samples);
+  refined.landmarks.to = refined.landmarks.from;
+  refined.to_field = fields;
+  for (auto _ : state) benchmark::DoNotOptimize(make_dense_map(s.surface, refined, fields, curvature, {}, 1));
+  state.counters["vertices"] = s.surface.vertices();
+}
+BENCHMARK(dense_map)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
