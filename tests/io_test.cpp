@@ -373,6 +373,13 @@ TEST_F(WriteResult, JsonIsReadBackOntoItsMeshOnly) {
     }
     return std::string("accepted");
   };
+  for (const char* partner : {"-2", "0.5", "1e99", "4294967296", "18446744073709551615", "true"}) {
+    std::string changed = read(path("a.json"));
+    const std::size_t first = changed.find("\"partner\":[") + 11;
+    changed.replace(first, changed.find(',', first) - first, partner);
+    const std::string why = refusal(fs::path(write("c.json", changed)).filename(), mesh);
+    EXPECT_NE(why.find("its partner of vertex 0 is out of range"), std::string::npos) << partner << ": " << why;
+  }
   const std::string larger = refusal("a.json", shapes::sphere(12, 16));
   EXPECT_NE(larger.find("178 vertices"), std::string::npos) << larger;
   mesh.position[4] += 0.01;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,21 @@
 
 namespace ga_symmetry {
 namespace {
+
+// Conversion alone would cut off what is no integer, or is none that fits.
+std::vector<int> checked_integers(const nlohmann::json& values, const char* name, int vertices, int lowest, int end) {
+  std::vector<int> out;
+  for (const auto& value : values) {
+    const auto integer = value.is_number_integer() ? value.get<std::int64_t>() : end;
+    if (integer < lowest || integer >= end)
+      throw FileError(std::string("its ") + name + " of vertex " + std::to_string(out.size()) +
+                      " is out of range: write it anew with `ga_symmetry find`");
+    out.push_back(static_cast<int>(integer));
+  }
+  if (out.size() != static_cast<std::size_t>(vertices))
+    throw FileError(std::string("it has not a ") + name + " for every vertex: write it anew with `ga_symmetry find`");
+  return out;
+}
 
 Partners from_json(const std::string& text, const TriangleMesh& mesh) {
   const auto json = nlohmann::json::parse(text);
@@ -28,7 +44,9 @@ Partners from_json(const std::string& text, const TriangleMesh& mesh) {
     throw FileError(
         "it is of another mesh of the same size, or vertices have been moved since (the checksum differs): open the "
         "mesh it was made for, or use the .csv if only the pose has changed");
-  return {json.at("partner"), json.at("fitness"), json.at("side")};
+  const int n = mesh.vertices();
+  return {checked_integers(json.at("partner"), "partner", n, -1, n), json.at("fitness"),
+          checked_integers(json.at("side"), "side", n, -1, 2)};
 }
 
 Partners from_csv(const std::string& path, int vertices) {

@@ -1,5 +1,7 @@
 // Lines, words and numbers of a text file held in memory; private to the project. Nothing depends on the locale.
 #pragma once
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -14,8 +16,11 @@
 
 namespace ga_symmetry {
 
-/// The whole file. @throws FileError  the reason, without the file's name
+/// The whole file; a device or a pipe might never end. @throws FileError  the reason, without the file's name
 inline std::string read_text(const std::string& path) {
+  struct stat status;
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+    throw FileError("it is missing, empty or not a file");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf())) throw FileError("it is missing, empty or not a file");
