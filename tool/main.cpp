@@ -52,10 +52,13 @@ int main(int argc, char** argv) {
   }
 
   interrupt_on_signal();
+  signal(SIGXFSZ, SIG_IGN);  // a file that must not grow on is an error like a full disk
   Context context;
   context.cancel = &interrupted;
   try {
     run(context);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw FileError("cannot write to the standard output: is the disk full?");
   } catch (const CLI::ParseError& error) {
     return fail(kUsage, error.what());
   } catch (const Cancelled&) {
