@@ -20,7 +20,8 @@ namespace {
 std::vector<int> checked_integers(const nlohmann::json& values, const char* name, int vertices, int lowest, int end) {
   std::vector<int> out;
   for (const auto& value : values) {
-    const auto integer = value.is_number_integer() ? value.get<std::int64_t>() : end;
+    const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() >= static_cast<std::uint64_t>(end);
+    const auto integer = value.is_number_integer() && !huge ? value.get<std::int64_t>() : end;
     if (integer < lowest || integer >= end)
       throw FileError(std::string("its ") + name + " of vertex " + std::to_string(out.size()) +
                       " is out of range: write it anew with `ga_symmetry find`");
