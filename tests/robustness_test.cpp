@@ -405,6 +405,7 @@ INSTANTIATE_TEST_SUITE_P(
                },
                "repair the mesh file"},
         Opened{"many_components", [] { return crumbs(1000); }, "1001 components"},
+        Opened{"fan_beyond_measure", [] { return fan(20001); }, "remesh the surface around it"},
         // Worked on, with a warning.
         Opened{"largest_of_many_components", [] { return crumbs(1000); }, kResult, "largest of 1001", true},
         Opened{"unused_vertices", [] { return with_unused(creature(), 1); }, kResult, "left out 100 points"},

@@ -13,6 +13,8 @@ namespace ga_symmetry {
 namespace {
 
 constexpr int kMinVertices = 20;
+// Each step over the surface looks at all neighbours of a vertex: the time grows with the square of this.
+constexpr int kMostFacesAround = 20000;
 // A face is degenerate when its area is below rounding in float coordinates, relative to its longest edge squared.
 constexpr double kZeroArea = 1e-9;
 
@@ -264,6 +266,11 @@ Surface make_surface(const TriangleMesh& mesh, bool largest_component, const Con
   orient_faces(s, context);
   stop_at(0, context);
   group_corners(s, n);
+  for (int v = 0; v < n; ++v)
+    if (const int faces = s.first_corner[v + 1] - s.first_corner[v]; faces > kMostFacesAround)
+      throw InvalidMesh("vertex " + std::to_string(s.mesh_vertex[v]) + " has " + std::to_string(faces) +
+                        " faces around it, more than " + std::to_string(kMostFacesAround) +
+                        ": remesh the surface around it");
   s.vertex_area.assign(n, 0.0);
   for (int f = 0; f < s.triangles(); ++f) {
     const int* t = &s.triangle[3 * static_cast<std::size_t>(f)];

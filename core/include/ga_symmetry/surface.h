@@ -40,7 +40,8 @@ inline int previous_corner(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
 /// The door: checks and compacts. Vertices that no face uses are left out, with a warning.
 /// @param largest_component  keep the component of the largest area instead of refusing several
 /// @throws InvalidMesh  in one line with the remedy: no faces, fewer than 20 used vertices, a coordinate that is not
-///         finite, an index out of range, a zero-area face, an edge with more than two faces, several components
+///         finite, an index out of range, a zero-area face, an edge with more than two faces, several
+///         components, more than 20000 faces around a vertex
 /// @throws Cancelled
 Surface make_surface(const TriangleMesh& mesh, bool largest_component = false, const Context& context = {});
 
