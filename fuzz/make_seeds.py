@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Writes the seeds of the fuzz targets: small inputs of every format, most of them valid. make_seeds.py FOLDER"""
+import json
+import pathlib
+import struct
+import sys
+
+folder = pathlib.Path(sys.argv[1])
+
+
+def seed(target, name, content):
+    path = folder / target / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+V = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.5)]
+F = [(0, 1, 2), (0, 2, 3)]
+rows = "".join("%g %g %g\n" % v for v in V)
+seed("mesh_file", "off", "\x00OFF\n# two faces\n4 2 0\n" + rows + "3 0 1 2\n3 0 2 3\n")
+seed("mesh_file", "off_quad", "\x00OFF 4 1 0\n" + rows + "4 0 1 2 3\n")
+seed("mesh_file", "off_colour", "\x00COFF\n4 1 0\n" + "".join("%g %g %g 255 0 0 255\n" % v for v in V) + "4 0 1 2 3 1 0 0\n")
+seed("mesh_file", "off_normal_texture", "\x00STNOFF\n4 1 0\n" + "".join("%g %g %g 0 0 1 0.5 0.5\n" % v for v in V) + "4 0 1 2 3\n")
+header = "ply\nformat %s 1.0\ncomment seed\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n%selement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+seed("mesh_file", "ply_ascii", "\x01" + header % ("ascii", "") + rows + "3 0 1 2\n3 0 2 3\n")
+seed("mesh_file", "ply_ascii_quality", "\x01" + header % ("ascii", "property uchar red\n") + "".join("%g %g %g 200\n" % v for v in V) + "3 0 1 2\n3 0 2 3\n")
+for order, name in (("<", "binary_little_endian"), (">", "binary_big_endian")):
+    body = b"".join(struct.pack(order + "3f", *v) for v in V) + b"".join(struct.pack(order + "B3i", 3, *f) for f in F)
+    seed("mesh_file", "ply_" + name, b"\x01" + (header % (name, "")).encode() + body)
+doubles = (header % ("binary_little_endian", "property list uchar float extra\n")).replace("float x", "double x")
+seed("mesh_file", "ply_list", b"\x01" + doubles.encode() + b"".join(
+    struct.pack("<d2fBf", *v, 1, 0.5) for v in V) + b"".join(struct.pack("<B3i", 3, *f) for f in F))
+seed("mesh_file", "obj", "\x02o seed\n" + "".join("v %g %g %g\n" % v for v in V) + "vn 0 0 1\nf 1/1/1 2 3//1\nf -4 -2 \\\n-1\n")
+facets = "".join("facet normal 0 0 1\nouter loop\n" + "".join("vertex %g %g %g\n" % V[i] for i in f) + "endloop\nendfacet\n" for f in F)
+seed("mesh_file", "stl_ascii", "\x03solid s\n" + facets + "endsolid s\n")
+seed("mesh_file", "stl_binary", b"\x03" + bytes(80) + struct.pack("<I", 2) + b"".join(
+    struct.pack("<12fH", 0, 0, 1, *(x for i in f for x in V[i]), 0) for f in F))
+
+table = "vertex,partner,fitness,side\n" + "".join(f"{i},{i // 5 * 5 + 4 - i % 5},0.01,{(i % 5 < 2) - (i % 5 > 2)}\n" for i in range(25))
+seed("partners", "csv", "\x00" + table)
+seed("partners", "csv_short", "\x00vertex partner\r\n0 -1\r\n")
+result = {"format": "ga_symmetry result", "version": 1, "mesh": {"vertices": 25, "triangles": 32, "checksum": "fnv1a64:0"},
+          "partner": list(range(25)), "fitness": [0.0] * 25, "side": [0] * 25}
+seed("partners", "json", "\x01" + json.dumps(result))
+seed("partners", "values", "\x02arm,vertex,leg\n" + "".join(f"0.5,{i},1e-3\n" for i in range(25)))
+seed("partners", "truth", "\x03" + "".join(f"{i} {24 - i}\n" for i in range(25)))
+
+for i, text in enumerate(("", "12,40,7,9", "12,40,7:9,3:5", " 3 , 8 ", "1,2,3,4,5,6", "2147483648", "1:1", "1,1", "-1,2")):
+    seed("references", str(i), text)
+
+seed("options", "defaults", bytes(40))
+seed("options", "pairs", bytes([1, 0]) + bytes(10 + 12) + bytes([2]) + struct.pack("<2i", 0, 39) + bytes([1]) + struct.pack("<2i", 10, 11))
+seed("options", "all", bytes([0, 1]) + b"".join(b"\x01" + struct.pack("<i", x) for x in (2, 2000, 50, 4, 5, 9, 30, 60, 8, 2))
+     + b"".join(b"\x01" + struct.pack("<d", x) for x in (1.96, -1.96, 0.01, 0.01, 0.4, 2, 3, 1, 0.3, 1, 0.1, 1)) + bytes(2))
+
+# choice, then the grid: columns, rows, wrap; then changes.
+seed("surface", "grid", bytes([0, 6, 6, 0]))
+seed("surface", "tube", bytes([1, 8, 5, 1]))
+seed("surface", "torus", bytes([0, 9, 8, 3]))
+seed("surface", "rotation", bytes([2, 9, 8, 3]))
+seed("surface", "references", bytes([4, 0, 40, 20, 33, 9, 8, 0]))
+seed("surface", "pairs", bytes([12, 0, 40, 20, 33, 9, 8, 0]))
+seed("surface", "changed", bytes([1, 8, 8, 1]) + b"".join(struct.pack("<BHb", k, 3 * k, k % 50) for k in range(60))
+     + struct.pack("<BHB", 120, 7, 33) + struct.pack("<BH", 180, 9) + struct.pack("<BHff", 210, 3, 1, 2) + struct.pack("<BH3B", 240, 0, 1, 2, 9))

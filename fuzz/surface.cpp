@@ -1,0 +1,76 @@
+// The core's door: arbitrary coordinates and faces; if it lets them in, the whole search has to bear them.
+#include <cmath>
+#include <cstdlib>
+
+#include "fuzz.h"
+#include "ga_symmetry/symmetry.h"
+
+namespace {
+
+using namespace ga_symmetry;
+
+// A grid, wrapped or open, whose vertices are then moved and whose faces are changed: plain noise hardly ever passes
+// the door. Afterwards come faces and coordinates as they are.
+TriangleMesh make_mesh(fuzz::Bytes& in) {
+  TriangleMesh mesh;
+  const int columns = in.take<std::uint8_t>() % 12, rows = in.take<std::uint8_t>() % 12, wrap = in.take<std::uint8_t>();
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      mesh.position.insert(mesh.position.end(), {double(i), double(j), std::sin(2.0 * i + j * j)});
+      const int ni = (i + 1) % columns, nj = (j + 1) % rows;
+      if ((ni == 0 && !(wrap & 1)) || (nj == 0 && !(wrap & 2))) continue;
+      const int a = i * rows + j, b = ni * rows + j, c = ni * rows + nj, d = i * rows + nj;
+      mesh.triangle.insert(mesh.triangle.end(), {a, b, c, a, c, d});
+    }
+  while (!in.empty()) {
+    const int kind = in.take<std::uint8_t>();
+    const std::size_t at = in.take<std::uint16_t>();
+    if (kind < 80 && !mesh.position.empty())
+      mesh.position[at % mesh.position.size()] += in.take<std::int8_t>() / 64.0;
+    else if (kind < 110 && !mesh.position.empty())
+      mesh.position[at % mesh.position.size()] = in.take<double>();
+    else if (kind < 150 && !mesh.triangle.empty())
+      mesh.triangle[at % mesh.triangle.size()] = in.take<std::uint8_t>();
+    else if (kind < 160 && !mesh.triangle.empty())
+      mesh.triangle[at % mesh.triangle.size()] = in.take<int>();
+    else if (kind < 200 && !mesh.triangle.empty())
+      mesh.triangle.erase(mesh.triangle.begin() + static_cast<std::ptrdiff_t>(at % (mesh.triangle.size() / 3) * 3),
+                          mesh.triangle.begin() + static_cast<std::ptrdiff_t>(at % (mesh.triangle.size() / 3) * 3 + 3));
+    else if (kind < 230)
+      mesh.position.insert(mesh.position.end(), {double(at), in.take<float>(), in.take<float>()});
+    else
+      for (int k = 0; k < 3; ++k) mesh.triangle.push_back(in.take<std::uint8_t>());
+  }
+  return mesh;
+}
+
+void check(const TriangleMesh& mesh, const Result& r) {
+  const auto n = static_cast<std::size_t>(mesh.vertices());
+  if (r.partner.size() != n || r.fitness.size() != n || r.side.size() != n) std::abort();
+  for (std::size_t v = 0; v < n; ++v)
+    if (r.partner[v] < -1 || r.partner[v] >= mesh.vertices() || !(r.fitness[v] >= 0) || std::isinf(r.fitness[v]) ||
+        std::abs(r.side[v]) > 1)
+      std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes in(data, size);
+  Options o;
+  const int choice = in.take<std::uint8_t>();
+  o.threads = 1;
+  o.largest_component = choice & 1;
+  o.symmetry = choice & 2 ? SymmetryKind::rotation : SymmetryKind::reflection;
+  o.joint.samples = 20, o.joint.sites = 24, o.joint.population = 4, o.joint.max_generations = 1;
+  o.pairs.samples = 20, o.pairs.max_generations = 3;
+  if (choice & 4) {
+    const auto vertex = [&] { return int{in.take<std::uint8_t>()}; };
+    o.references.axis = {vertex(), vertex()};
+    o.references.pairs = {{vertex(), vertex()}};
+    if (choice & 8) o.method = Method::pairs;
+  }
+  const TriangleMesh mesh = make_mesh(in);
+  fuzz::expect_result_or_line([&] { check(mesh, find_symmetry(mesh, o)); });
+  return 0;
+}
