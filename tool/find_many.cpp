@@ -146,7 +146,7 @@ void find_many(const ManyMeshes& many, const FindOne& find_one) {
     }
     const auto begin = Clock::now();
     const auto seconds = [&] {
-      return 0.001 * std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count();
+      return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count() / 1000.0;
     };
     const auto fail = [&](const char* why) {
       ++failed;
