@@ -444,7 +444,10 @@ JointResult search_joint(const JointProblem& problem, const JointOptions& option
   genetic.stall_generations = 20;
   genetic.success_threshold = 0;
   genetic.threads = threads;
-  GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context);
+  const auto tell = [&](const GenerationLog& log) {
+    context.report(0.3 + 0.7 * log.generation / std::max(1, options.max_generations), "search");
+  };
+  GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context, tell);
   JointResult result;
   result.log = std::move(run.log);
   result.stop = run.stop;

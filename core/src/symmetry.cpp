@@ -377,7 +377,7 @@ Survey survey_symmetries(const Surface& surface, const GeodesicSolver& solver, H
   const Sites& sites = out.sites;
   out.anchors = make_anchors(references, options.symmetry);
   const JointProblem problem(sites, surface, solver, options.symmetry, out.anchors, options.joint);
-  JointResult search = search_joint(problem, options.joint, random, options.threads, context);
+  JointResult search = search_joint(problem, options.joint, random, options.threads, context.part(0.4, 0.6));
   clock.stage_done("search");
   out.log = std::move(search.log);
   out.stop = search.stop;
