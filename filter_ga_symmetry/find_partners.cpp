@@ -62,6 +62,14 @@ RichParameterList parameters() {
                         "0 to 256; 0 = all cores. Changes the time, never the result.");
   add_advanced<RichInt>(list, "proxy", defaults.proxy, "Simplify to",
                         "Vertices. Meshes of over 1.5 times as many are searched simplified; 0 = never.");
+  add_advanced<RichInt>(list, "rank", defaults.rank, "Symmetry by rank",
+                        "1 = the best that is found, 2 = the next best, ... up to 30.");
+  add_advanced<RichFloat>(list, "max_fitness", defaults.max_fitness, "Largest fitness",
+                          "Vertices above get no partner (-1): 0.08 finds missing limbs. 0 = keep all.");
+  add_advanced<RichBool>(list, "local_refinement", defaults.local_refinement, "Local refinement",
+                         "Joint: move all partners of samples to where distances agree best.");
+  add_advanced<RichBool>(list, "noise_filter", defaults.noise_filter, "Noise filter",
+                         "Joint: average over neighbours how far distances are off.");
   add_advanced<RichFloat>(list, "mutation_probability", joint.mutation_probability, "Mutation probability",
                           "Per gene (Joint) or pair (Pairs) and generation, 0 to 1.");
   add_advanced<RichInt>(list, "joint_samples", joint.samples, "Joint: samples",
@@ -84,9 +92,9 @@ RichParameterList parameters() {
   add_advanced<RichInt>(list, "pairs_regions", pairs.regions, "Pairs: regions",
                         "Distance regions per axis point, for the crossover, 2 to 100.");
   add_advanced<RichFloat>(list, "pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
-                          "A pair whose Z-error is above is mutated.");
+                          "A pair whose Z-error is above is mutated; at least 0.");
   add_advanced<RichFloat>(list, "pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
-                          "A pair whose Z-error is below is kept as it is.");
+                          "A pair whose Z-error is below is kept as it is; at most 0.");
   add_advanced<RichInt>(list, "pairs_generations", pairs.max_generations, "Pairs: generations",
                         "At most, 1 to 100000.");
   return list;
@@ -102,6 +110,10 @@ Options to_options(const RichParameterList& list) {
   options.seed = static_cast<std::uint64_t>(seed);
   options.threads = list.getInt("threads");
   options.proxy = list.getInt("proxy");
+  options.rank = list.getInt("rank");
+  options.max_fitness = decimal(list.getFloat("max_fitness"));
+  options.local_refinement = list.getBool("local_refinement");
+  options.noise_filter = list.getBool("noise_filter");
 
   options.joint.samples = list.getInt("joint_samples");
   options.joint.sites = list.getInt("joint_sites");

@@ -318,7 +318,7 @@ Result made_up(const TriangleMesh& mesh) {
   r.order = 2;
   r.pairs = {{1, 2, 0.1}, {3, 4, 1.0 / 3}};
   r.axis = {{{{0, 1, 2}, {1, 0, 0}}, {{0, 1, 2}, {0.5, 0.5, 0}}}};
-  r.symmetries = {{SymmetryKind::reflection, 2, 0.125}, {SymmetryKind::rotation, 3, 0.25}};
+  r.symmetries = {{SymmetryKind::reflection, 2, 1, 0.125}, {SymmetryKind::rotation, 3, 2, 0.25}};
   r.confidence = 0.75;
   r.axis_references = {5, 6};
   r.pair_references = {{{7, 8}}};

@@ -318,6 +318,54 @@ TEST_F(FindJointly, StopsWhenAskedTo) {
   EXPECT_THROW(find_symmetry(shape_.mesh, {}, context), Cancelled);
 }
 
+TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
+  Options o;
+  o.references = references_of(shape_);
+  o.local_refinement = o.noise_filter = false;
+  const double neither = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  o.local_refinement = true;
+  const double refined = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  o.noise_filter = true;
+  const double both = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  EXPECT_LT(both, neither);
+  EXPECT_LT(refined, neither);
+  EXPECT_LT(both, 1.02 * refined);
+}
+
+TEST_F(FindJointly, AboveTheLargestFitnessThereIsNoPartner) {
+  Options o;
+  o.references = references_of(shape_);
+  const Result all = find_symmetry(shape_.mesh, o);
+  o.max_fitness = all.mean_fitness;
+  const Result some = find_symmetry(shape_.mesh, o);
+  const double worst = *std::max_element(all.fitness.begin(), all.fitness.end());
+  int matched = 0;
+  for (int v = 0; v < shape_.mesh.vertices(); ++v) {
+    const bool kept = all.fitness[v] <= o.max_fitness;
+    matched += kept;
+    EXPECT_EQ(some.partner[v], kept ? all.partner[v] : -1);
+    EXPECT_EQ(some.fitness[v], kept ? all.fitness[v] : worst);
+    EXPECT_EQ(some.partner_point[v].vertex[0] < 0, !kept);
+  }
+  EXPECT_EQ(some.matched, matched);
+  EXPECT_GT(matched, 0);
+  EXPECT_LT(matched, shape_.mesh.vertices());
+  for (const SymmetricPair& pair : some.pairs) EXPECT_GE(some.partner[pair.vertex], 0);
+  EXPECT_LT(some.pairs.size(), all.pairs.size());
+}
+
+TEST_F(FindJointly, ARankBeyondWhatIsFoundIsNamed) {
+  Options o;
+  o.rank = 30;
+  o.joint.population = 4;  // hence at most as many survivors
+  try {
+    find_symmetry(shape_.mesh, o);
+    FAIL();
+  } catch (const InvalidOption& e) {
+    EXPECT_NE(std::string(e.what()).find("rank must be at most "), std::string::npos) << e.what();
+  }
+}
+
 TEST_F(FindJointly, OptionsOutOfRangeAreNamed) {
   Options o;
   o.joint.mutation_probability = std::nan("");
@@ -343,6 +391,40 @@ TEST(FindRotation, ThePinwheelTurnsByAThird) {
   EXPECT_EQ(result.order, 3);
   const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partner);
   EXPECT_LT(e.mean, 0.05);
+}
+
+TEST(ListSymmetries, TheTrefoilHasThreeReflectionsAndTwoTurns) {
+  const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/trefoil_bend";
+  const TriangleMesh mesh = read_mesh(base + ".off");
+  const std::vector<FoundSymmetry> found = list_symmetries(mesh);
+  ASSERT_GE(found.size(), 5u);
+  // Bent, it has them only nearly; the five come first, and what else is listed is not of their kind.
+  int reflections = 0, turns = 0;
+  for (int i = 0; i < 5; ++i) {
+    reflections += found[i].kind == SymmetryKind::reflection;
+    turns += found[i].kind == SymmetryKind::rotation && found[i].order == 3;
+  }
+  EXPECT_EQ(reflections, 3);
+  EXPECT_EQ(turns, 2);
+  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i - 1].score, found[i].score);
+  EXPECT_LE(found.back().score, 2 * found[0].score);
+  // The n-th listed reflection is what rank n finds: three different ones of the truth.
+  std::ifstream in(base + ".mirrors");
+  std::vector<std::vector<int>> mirrors(3, std::vector<int>(mesh.vertices()));
+  for (int v, line = 0; line < mesh.vertices(); ++line) {
+    in >> v;
+    for (auto& mirror : mirrors) in >> mirror[v];
+  }
+  ASSERT_TRUE(in);
+  std::set<int> seen;
+  for (int rank = 1; rank <= 3; ++rank) {
+    Options o;
+    o.rank = rank;
+    const Result r = find_symmetry(mesh, o);
+    for (int k = 0; k < 3; ++k)
+      if (mean_error(mesh, mirrors[k], r.partner) < 0.1) seen.insert(k);  // the others are 0.6 off
+  }
+  EXPECT_EQ(seen.size(), 3u);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ enum class Summary { unasked, text, json };
 struct Arguments {
   std::vector<std::string> meshes, outputs, formats;
   std::string references;
-  bool reference_files = false, redo = false;
+  bool reference_files = false, redo = false, list = false;
   Summary summary = Summary::unasked;
   bool quiet = false;
   Options options;
@@ -37,6 +37,7 @@ constexpr const char* kExamples =
     "  ga_symmetry find body.ply --refs 12,40,7:9,3:5 -o body.csv -o body.ply\n"
     "  ga_symmetry find body.ply --refs 12,40,7,9 --method pairs --fitness linear\n"
     "  ga_symmetry find body.ply --summary json -o body.csv | jq .mean_fitness\n"
+    "  ga_symmetry find flower.ply --list                        all its reflections and rotations\n"
     "  ga_symmetry find scans/ -o results/                       every mesh of a folder, results/NAME.csv for each\n"
     "  ga_symmetry find a.ply b.ply --refs-files -o results/ --format csv,ply\n"
     "\n"
@@ -146,9 +147,35 @@ void run_many(const Arguments& a, const Context& interrupt) {
   });
 }
 
+void run_list(const Arguments& a, const Context& interrupt) {
+  if (a.meshes.size() > 1 || !a.outputs.empty())
+    throw CLI::ValidationError("--list", "is for one mesh, and without -o");
+  Options options = a.options;
+  options.references = parse_references(a.reference_files ? read_reference_file(a.meshes[0]) : a.references);
+  std::vector<FoundSymmetry> found;
+  {
+    ProgressBar bar(!a.quiet);
+    const Context context = bar.watch(interrupt);
+    const TriangleMesh mesh = read_mesh(a.meshes[0], context.part(0, 0.1));
+    found = list_symmetries(mesh, options, context.part(0.1, 1));
+  }
+  if (a.summary == Summary::json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const FoundSymmetry& s : found)
+      json.push_back({{"kind", to_string(s.kind)}, {"rank", s.rank}, {"order", s.order}, {"score", s.score}});
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("kind        rank  order  score\n");
+  for (const FoundSymmetry& s : found)
+    std::printf("%-10s %5d %6s %6.3f\n", to_string(s.kind), s.rank, s.order ? std::to_string(s.order).c_str() : "-",
+                s.score);
+}
+
 void run(const Arguments& a, const Context& interrupt) {
   if (a.reference_files && !a.references.empty())
     throw CLI::ValidationError("--refs-files", "and --refs cannot both be given");
+  if (a.list) return run_list(a, interrupt);
   if (a.meshes.size() > 1 || is_folder(a.meshes[0]) || std::any_of(a.outputs.begin(), a.outputs.end(), is_folder))
     return run_many(a, interrupt);
   if (a.redo || !a.formats.empty())
@@ -200,6 +227,15 @@ void add_find(CLI::App& app, Run& chosen) {
       ->transform(CLI::Transformer(std::map<std::string, int>{{"off", 0}}).description(""))
       ->type_name("N")
       ->capture_default_str();
+  find.add_flag("--list", arguments->list,
+                "Print all symmetries that the mesh has, reflections and rotations, best first, and write no partners");
+  find.add_option("--rank", options.rank, "Take the n-th best of the symmetries of the kind, as listed; 1 to 30")
+      ->type_name("N")
+      ->capture_default_str();
+  find.add_option("--max-fitness", options.max_fitness,
+                  "A vertex whose fitness is above has no partner: -1; 0 = keep all. 0.08 finds missing limbs")
+      ->type_name("X")
+      ->capture_default_str();
   find.add_flag("--largest-component", options.largest_component,
                 "Work on the largest component instead of refusing a mesh of several");
   add_choice(find, "--summary", arguments->summary, {{"text", Summary::text}, {"json", Summary::json}},
@@ -232,6 +268,10 @@ void add_find(CLI::App& app, Run& chosen) {
   joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
       ->capture_default_str();
   joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
+  joint_group.add_flag("!--no-local-refinement", options.local_refinement,
+                       "Do not move the samples' partners together to where distances agree best");
+  joint_group.add_flag("!--no-noise-filter", options.noise_filter,
+                       "Do not average over neighbours by how much distances to a partner are off");
   joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
       ->capture_default_str();
   const auto add_weight = [&](const std::string& name, double& weight, const std::string& help) {

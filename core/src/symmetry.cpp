@@ -211,7 +211,7 @@ Found find_by_pairs(const Surface& surface, const References& references, const 
   std::vector<float> nearer_left(surface.vertices());
   for (int v = 0; v < surface.vertices(); ++v) nearer_left[v] = field(1, v) - field(0, v);
   found.left = std::move(nearer_left);
-  result.symmetries.push_back({SymmetryKind::reflection, 2, result.log.empty() ? 0 : result.log.back().best});
+  result.symmetries.push_back({SymmetryKind::reflection, 2, 1, result.log.empty() ? 0 : result.log.back().best});
   return found;
 }
 
@@ -408,7 +408,8 @@ Found find_jointly(const Surface& surface, const References& references, const O
   if (options.rank > static_cast<int>(ranking.size()))
     throw InvalidOption("rank must be at most " + std::to_string(ranking.size()) +
                         ", the number of symmetries found, got " + std::to_string(options.rank));
-  for (const Candidate& c : ranking) result.symmetries.push_back({options.symmetry, c.order, c.score});
+  for (const Candidate& c : ranking)
+    result.symmetries.push_back({options.symmetry, c.order, static_cast<int>(result.symmetries.size()) + 1, c.score});
   if (ranking.size() > 1) result.confidence = 1 - ranking[0].score / ranking[1].score;
   if (survey.anchors.empty() && options.rank == 1 && result.confidence < kDoubtful)
     result.warnings.push_back("two symmetries fit almost equally well (confidence " +
@@ -511,7 +512,8 @@ std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options opt
     const Survey survey =
         survey_symmetries(searched, solver, diffusion, proxy ? on_proxy(references, *proxy) : references, options, kAll,
                           random, context.part(begin, begin + 0.4), clock);
-    for (const Candidate& c : survey.ranking) out.push_back({kind, c.order, c.score});
+    int rank = 0;
+    for (const Candidate& c : survey.ranking) out.push_back({kind, c.order, ++rank, c.score});
   }
   if (out.empty()) throw InvalidMesh(kNoSymmetry);
   std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.score < b.score; });

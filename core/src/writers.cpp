@@ -147,7 +147,8 @@ std::string to_json(const TriangleMesh& mesh, const Result& result, const Contex
   json["warnings"] = result.warnings;
   json["symmetries"] = Json::array();
   for (const FoundSymmetry& s : result.symmetries)
-    json["symmetries"].push_back({{"kind", to_string(s.kind)}, {"order", s.order}, {"score", s.score}});
+    json["symmetries"].push_back(
+        {{"kind", to_string(s.kind)}, {"order", s.order}, {"rank", s.rank}, {"score", s.score}});
   json["pairs"] = Json::array();
   for (const SymmetricPair& p : result.pairs)
     json["pairs"].push_back({{"vertex", p.vertex}, {"partner", p.partner}, {"fitness", p.fitness}});

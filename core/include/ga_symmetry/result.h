@@ -38,7 +38,8 @@ struct SymmetricPair {
 /// One distinct symmetry that the search found.
 struct FoundSymmetry {
   SymmetryKind kind = SymmetryKind::reflection;
-  int order = 2;     ///< applied so often it is the identity; 2 for a reflection
+  int order = 2;     ///< applied so often it is the identity; 2 for a reflection, 0 if it does not come back
+  int rank = 1;      ///< 1 for the best of its kind, as Options::rank
   double score = 0;  ///< cost at vertex resolution, >= 0, lower is better
 };
 
