@@ -39,9 +39,27 @@ seed("mesh_file", "stl_binary", b"\x03" + bytes(80) + struct.pack("<I", 2) + b""
 table = "vertex,partner,fitness,side\n" + "".join(f"{i},{i // 5 * 5 + 4 - i % 5},0.01,{(i % 5 < 2) - (i % 5 > 2)}\n" for i in range(25))
 seed("partners", "csv", "\x00" + table)
 seed("partners", "csv_short", "\x00vertex partner\r\n0 -1\r\n")
-result = {"format": "ga_symmetry result", "version": 1, "mesh": {"vertices": 25, "triangles": 32, "checksum": "fnv1a64:0"},
+
+
+def checksum():
+    """Of the mesh in partners.cpp, as in export.h; without it nothing behind the checksum is reached."""
+    data = struct.pack("<QQ", 25, 32)
+    for i in range(25):
+        data += struct.pack("<3f", i % 5, i // 5, 0.1 * (i % 3))
+    for i in range(25):
+        if i % 5 < 4 and i // 5 < 4:
+            data += struct.pack("<6i", i, i + 1, i + 6, i, i + 6, i + 5)
+    value = 14695981039346656037
+    for byte in data:
+        value = (value ^ byte) * 1099511628211 & (1 << 64) - 1
+    return f"fnv1a64:{value:016x}"
+
+
+result = {"format": "ga_symmetry result", "version": 1, "mesh": {"vertices": 25, "triangles": 32, "checksum": checksum()},
           "partner": list(range(25)), "fitness": [0.0] * 25, "side": [0] * 25}
 seed("partners", "json", "\x01" + json.dumps(result))
+result["partner"][3], result["side"][4] = 1e99, 2**32
+seed("partners", "json_out_of_range", "\x01" + json.dumps(result))
 seed("partners", "values", "\x02arm,vertex,leg\n" + "".join(f"0.5,{i},1e-3\n" for i in range(25)))
 seed("partners", "truth", "\x03" + "".join(f"{i} {24 - i}\n" for i in range(25)))
 
