@@ -111,7 +111,9 @@ TEST(Cancel, Reading) {
     EXPECT_THROW(read_mesh(path, context), Cancelled) << path;
     context.progress = [&](double fraction, const char*) { cancel = fraction > 0.5; };  // within vcglib's importer
     cancel = false;
-    if (path == kSample || path == ply) EXPECT_THROW(read_mesh(path, context), Cancelled) << path;
+    if (path == kSample || path == ply) {
+      EXPECT_THROW(read_mesh(path, context), Cancelled) << path;
+    }
   }
 }
 
