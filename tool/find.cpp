@@ -268,10 +268,12 @@ void add_find(CLI::App& app, Run& chosen) {
   joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
       ->capture_default_str();
   joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
-  joint_group.add_flag("!--no-local-refinement", options.local_refinement,
-                       "Do not move the samples' partners together to where distances agree best");
-  joint_group.add_flag("!--no-noise-filter", options.noise_filter,
-                       "Do not average over neighbours by how much distances to a partner are off");
+  joint_group.add_flag_callback(
+      "--no-local-refinement", [&options] { options.local_refinement = false; },
+      "Do not move the samples' partners together to where distances agree best");
+  joint_group.add_flag_callback(
+      "--no-noise-filter", [&options] { options.noise_filter = false; },
+      "Do not average over neighbours by how much distances to a partner are off");
   joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
       ->capture_default_str();
   const auto add_weight = [&](const std::string& name, double& weight, const std::string& help) {
