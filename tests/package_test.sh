@@ -9,6 +9,7 @@ build=$1 sample=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "FAILED: $*"; exit 1; }
+on_screen=$(dirname "$(realpath "$0")")/../scripts/on_screen
 for program in apt-get dpkg-shlibdeps meshlabserver xvfb-run; do
   command -v $program > /dev/null || { echo "skipped: $program is missing"; exit 77; }
 done
@@ -31,7 +32,7 @@ ga_symmetry --version
 man -w ga_symmetry > /dev/null 2>&1 || fail "there is no manual page"
 cd "$work"
 export HOME=$work
-xvfb-run -a meshlabserver -i "$sample" -o out.ply -m vq \
+"$on_screen" meshlabserver -i "$sample" -o out.ply -m vq \
   -s /usr/share/doc/ga-symmetry/examples/meshlabserver/compute_asymmetry_per_vertex.mlx > log 2>&1 || { cat log; fail "the filters do not run"; }
 grep -q "Asymmetry: " log || fail "the filters are not found"
 [ -s partners.csv ] && [ -s out.ply ] || fail "no results"

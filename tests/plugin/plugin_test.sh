@@ -9,6 +9,7 @@
 set -euo pipefail
 
 case=$1 meshlabserver=$2 make_filter_script=$3 tool=$4 sample=$5
+on_screen=$(dirname "$(realpath "$0")")/../../scripts/on_screen
 command -v xvfb-run >/dev/null || { echo "skipped: xvfb-run is missing (apt-get install xvfb xauth)"; exit 77; }
 [ -x "$meshlabserver" ] || { echo "skipped: meshlabserver is missing (apt-get install meshlab)"; exit 77; }
 [ -f "$sample" ] || { echo "skipped: $sample is missing"; exit 77; }
@@ -32,7 +33,7 @@ serve() {
   shift
   for script in *.mlx; do scripts+=(-s "$script"); done
   rc=0
-  xvfb-run -a "$meshlabserver" -i "$mesh" -o out.ply "$@" "${scripts[@]}" >log 2>&1 || rc=$?
+  "$on_screen" "$meshlabserver" -i "$mesh" -o out.ply "$@" "${scripts[@]}" >log 2>&1 || rc=$?
 }
 
 # script [--select V,V,...] [PARAMETER=VALUE]...: a filter script; each further one runs after those before it
@@ -200,7 +201,7 @@ case $case in
   no_mesh)
     script automatic=true export_to=partners.csv
     rc=0
-    xvfb-run -a "$meshlabserver" -o out.ply -s 000.mlx >log 2>&1 || rc=$?
+    "$on_screen" "$meshlabserver" -o out.ply -s 000.mlx >log 2>&1 || rc=$?
     expect_refusal "there is no mesh"
     ;;
   points)
