@@ -65,7 +65,7 @@ RichParameterList parameters() {
   add_advanced<RichInt>(list, "rank", defaults.rank, "Symmetry by rank",
                         "1 = the best that is found, 2 = the next best, ... up to 30.");
   add_advanced<RichFloat>(list, "max_fitness", defaults.max_fitness, "Largest fitness",
-                          "Vertices above get no partner (-1): 0.08 finds missing limbs. 0 = keep all.");
+                          "Vertices above get no partner (-1): try 0.08. 0 = keep all.");
   add_advanced<RichBool>(list, "local_refinement", defaults.local_refinement, "Local refinement",
                          "Joint: move all partners of samples to where distances agree best.");
   add_advanced<RichBool>(list, "noise_filter", defaults.noise_filter, "Noise filter",
