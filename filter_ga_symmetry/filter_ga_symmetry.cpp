@@ -1,6 +1,7 @@
 #include "filter_ga_symmetry.h"
 
 #include "filters.h"
+#include "ga_symmetry/errors.h"
 
 using ga_symmetry::Filter;
 using ga_symmetry::FilterRun;
@@ -10,7 +11,7 @@ namespace {
 const Filter& filter(int id) { return ga_symmetry::all_filters()[static_cast<std::size_t>(id)]; }
 
 void report(vcg::CallBackPos* callback, int percent, const char* stage) {
-  if (callback) callback(percent, stage);
+  if (callback && !callback(percent, stage)) throw ga_symmetry::Cancelled();
 }
 
 }  // namespace

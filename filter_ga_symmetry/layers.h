@@ -12,7 +12,7 @@ using ScalarAttribute = CMeshO::PerVertexAttributeHandle<Scalarm>;
 /// The current layer, without deleted elements. @throws InvalidMesh  if there is none
 MeshModel& current_layer(const FilterRun& run);
 
-/// Passes progress on to MeshLab.
+/// Passes progress on to MeshLab, and its wish to stop.
 Context context_of(const FilterRun& run);
 
 /// The attribute of that name, or an invalid handle.

@@ -48,7 +48,7 @@ void add_advanced(RichParameterList& list, const Arguments&... arguments) {
 struct FilterRun {
   MeshDocument& document;
   const RichParameterList& parameters;
-  std::function<void(int percent, const char* stage)> progress;
+  std::function<void(int percent, const char* stage)> progress;  ///< throws Cancelled if asked to stop
   std::function<void(const std::string& line)> log;
   std::function<void(const std::string& line)> warn;
 };
