@@ -24,6 +24,10 @@ seed("mesh_file", "off_normal_texture", "\x00STNOFF\n4 1 0\n" + "".join("%g %g %
 header = "ply\nformat %s 1.0\ncomment seed\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n%selement face 2\nproperty list uchar int vertex_indices\nend_header\n"
 seed("mesh_file", "ply_ascii", "\x01" + header % ("ascii", "") + rows + "3 0 1 2\n3 0 2 3\n")
 seed("mesh_file", "ply_ascii_quality", "\x01" + header % ("ascii", "property uchar red\n") + "".join("%g %g %g 200\n" % v for v in V) + "3 0 1 2\n3 0 2 3\n")
+edges = header.replace("end_header", "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header")
+seed("mesh_file", "ply_edges", "\x01" + edges % ("ascii", "") + rows + "3 0 1 2\n3 0 2 3\n0 2\n")
+seed("mesh_file", "ply_edges_binary", b"\x01" + (edges % ("binary_little_endian", "")).encode() + b"".join(
+    struct.pack("<3f", *v) for v in V) + b"".join(struct.pack("<B3i", 3, *f) for f in F) + struct.pack("<2i", 0, 2))
 for order, name in (("<", "binary_little_endian"), (">", "binary_big_endian")):
     body = b"".join(struct.pack(order + "3f", *v) for v in V) + b"".join(struct.pack(order + "B3i", 3, *f) for f in F)
     seed("mesh_file", "ply_" + name, b"\x01" + (header % (name, "")).encode() + body)

@@ -122,6 +122,20 @@ TEST_F(ReadMesh, PlyText) {
       read_mesh(write("a.ply", header + "0 0 0 1\n1.25 0 0 2\n1.25 1 0 3\n0 1 -.5 4\n3 0 1 2 0\n3 0 2 3 2 0.5 0.5\n")));
 }
 
+TEST_F(ReadMesh, PlyWithEdges) {
+  const auto ply = [](const std::string& type, const std::string& edge) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 2\nproperty list uchar int vertex_indices\nelement edge 1\nproperty " +
+           type + " vertex1\nproperty " + type + " vertex2\nproperty float length\nend_header\n" +
+           "0 0 0\n1.25 0 0\n1.25 1 0\n0 1 -.5\n3 0 1 2\n3 0 2 3\n" + edge;
+  };
+  expect_square(read_mesh(write("a.ply", ply("int", "0 3 0.5\n"))));
+  EXPECT_THROW(read_mesh(write("a.ply", ply("int", "0 4 0.5\n"))), FileError);
+  EXPECT_THROW(read_mesh(write("a.ply", ply("int", "-1 3 0.5\n"))), FileError);
+  EXPECT_THROW(read_mesh(write("a.ply", ply("int", "0 3\n"))), FileError);
+  EXPECT_THROW(read_mesh(write("a.ply", ply("short", "0 3 0.5\n"))), FileError);
+}
+
 TEST_F(ReadMesh, PolygonsBecomeTriangles) {
   // A regular polygon of 200 corners, with a little height so that no two corners are alike.
   constexpr int kCorners = 200;

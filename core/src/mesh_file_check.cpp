@@ -305,6 +305,16 @@ void check_vertex_element(const PlyElement& vertex, PlyFormat format) {
   }
 }
 
+// vcglib reads edges, checks their vertices, and does without them here; but only as two int.
+void check_edge_element(const PlyElement& edge, long vertices) {
+  if (vertices < 0) refuse("its edges come before its vertices");
+  for (const char* name : {"vertex1", "vertex2"}) {
+    const PlyProperty* p = edge.find(name);
+    if (!p || p->list || p->type != PlyType::int32)
+      refuse(std::string("its edges have no ") + name + " of type int: save it with faces only");
+  }
+}
+
 }  // namespace
 
 void check_ply(std::string_view text, const Context& context) {
@@ -326,8 +336,9 @@ void check_ply(std::string_view text, const Context& context) {
       if (vertices < 0) refuse("its faces come before its vertices");
       corners = face_list(element);
       check_counts(0, element.rows, text.size());
-    } else if (element.rows > 0 &&
-               (element.name == "edge" || element.name == "tristrips" || element.name == "range_grid"))
+    } else if (element.name == "edge" && element.rows > 0) {
+      check_edge_element(element, vertices);
+    } else if (element.rows > 0 && (element.name == "tristrips" || element.name == "range_grid"))
       refuse("the element " + quoted(element.name) + " is not supported: save it with faces only");
     for (long row = 0; row < element.rows; ++row) {
       report_row(row_of_all++, rows, context);
