@@ -242,6 +242,73 @@ TEST(Variation, MutationReachesEverySite) {
   EXPECT_EQ(static_cast<int>(seen.size()), scene().sites.count());
 }
 
+TEST(RegionStep, GoesToTheRegionOfTheReferencesDistanceAndStays) {
+  const Sites& s = scene().sites;
+  const JointProblem p = problem({});
+  constexpr int kSample = 7, kReference = 3, kRegions = 5;
+  const auto rank = [&](float distance) {
+    int nearer = 0;
+    for (int k = 0; k < s.count(); ++k) nearer += s.distance(kReference, k) < distance;
+    return nearer;
+  };
+  const auto region = [&](int site) { return rank(s.distance(kReference, site)) * kRegions / s.count(); };
+  const int wanted = region(kSample);
+  SampleMap map(s.samples);
+  for (int i = 0; i < s.samples; ++i) map[i] = i;
+  Random random(2);
+  std::set<int> seen;
+  for (int start = 0; start < s.count(); ++start) {
+    map[kSample] = start;
+    for (int step = 0; step < kRegions; ++step) {
+      const int before = std::abs(region(map[kSample]) - wanted);
+      map[kSample] = p.region_step(map, kSample, kReference, random);
+      EXPECT_EQ(std::abs(region(map[kSample]) - wanted), std::max(0, before - 1));
+    }
+    seen.insert(map[kSample]);
+  }
+  EXPECT_GT(seen.size(), 10U) << "any site of the region may be drawn";
+}
+
+TEST(Coarsened, IsTheSameProblemOverTheFirstSites) {
+  const Sites& fine = scene().sites;
+  const Sites coarse = coarsened(fine, 15, 40);
+  EXPECT_EQ(coarse.samples, 15);
+  ASSERT_EQ(coarse.count(), 40);
+  EXPECT_TRUE(coarse.distance == fine.distance.topLeftCorner(40, 40));
+  const JointProblem p = problem({}), few(p, coarse);
+  SampleMap map(15), more(fine.samples);
+  for (int i = 0; i < 15; ++i) map[i] = 39 - i;
+  EXPECT_NEAR(few.cost(map), few.total(few.terms(map)), 1e-12);
+  for (int i = 0; i < 15; ++i) {
+    EXPECT_LT(coarse.nearest_sample[map[i]], 15);
+    for (int j : coarse.neighbors[i]) EXPECT_LT(j, 15);
+  }
+  const Sites all = coarsened(fine, fine.samples, fine.count());
+  for (int i = 0; i < fine.samples; ++i) more[i] = (7 * i) % fine.count();
+  EXPECT_EQ(JointProblem(p, all).cost(more), p.cost(more));
+}
+
+TEST(BestResponse, LaterSweepsGoOnFromTheFirst) {
+  JointOptions o;
+  o.orientation_weight = o.continuity_weight = o.descriptor_weight = o.bijectivity_weight = 0;
+  const JointProblem p = problem(o);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SampleMap once = random_map(seed), often = once;
+    p.best_response(once, 0.25f);
+    p.best_response(often, 0.25f, 6);
+    EXPECT_LT(p.cost(often), p.cost(once));
+  }
+}
+
+TEST(Score, TheIdentityIsNoSymmetry) {
+  const Sites& s = scene().sites;
+  const JointProblem p = problem({});
+  SampleMap identity(s.samples);
+  for (int i = 0; i < s.samples; ++i) identity[i] = i;
+  EXPECT_TRUE(std::isinf(p.score(identity)));
+  EXPECT_GE(p.score(random_map(1)), p.cost(random_map(1)));
+}
+
 TEST(Replacement, AChildCompetesWithTheOneMostLikeIt) {
   const JointProblem p = problem({});
   const SampleMap a = random_map(1), b = random_map(2);

@@ -17,10 +17,16 @@ constexpr float kNear2 = 0.02f;
 constexpr float kCap = 0.25f;      // of one distance's relative squared error: outliers count, but no more
 constexpr float kReturn2 = 0.04f;  // squared distance at which a partner's partner is plainly not oneself
 constexpr int kAngles = 24;        // directions tried per seed
-constexpr int kSeedsPerPair = 4;   // distinct maps kept per seed pair
-constexpr int kSeedSweeps = 5;
-constexpr float kLocal = 0.25f;  // radius in which a child's genes look for better sites
-constexpr double kDistinctSeeds = 0.15;
+// Seeds are improved over few samples first, which costs a fraction.
+constexpr int kCoarseSamples = 60;
+constexpr std::size_t kSeedPairs = 60;  // at least; pairs of tips may be more
+constexpr int kSeedsPerPair = 6;        // distinct maps kept per seed pair
+constexpr std::size_t kTried = 160;     // that many of the best maps of all pairs are improved
+constexpr int kRegions = 5;             // of distance, as in the paper
+constexpr int kSweeps = 6;              // of best responses, at most
+constexpr float kLocal = 0.25f;         // radius in which a child's genes look for better sites
+constexpr double kDistinctTurns = 0.1;
+constexpr double kDistinctSeeds = 0.08;
 constexpr double kSame = 0.02;     // maps closer than this are one
 constexpr double kDistinct = 0.1;  // maps farther apart than this are different symmetries
 constexpr double kMoved2 = 0.02;   // squared distance at which a partner is plainly not oneself
@@ -85,6 +91,30 @@ JointProblem::JointProblem(const Sites& sites, const Surface& surface, const Geo
       anchors_.push_back({sample, image});
     }
   }
+  index_sites();
+}
+
+JointProblem::JointProblem(const JointProblem& fine, const Sites& sites)
+    : sites_(sites), options_(fine.options_), kind_(fine.kind_), oriented_(fine.oriented_) {
+  weight_ = fine.weight_.topLeftCorner(sites.samples, sites.samples);
+  unary_ = fine.unary_.topLeftCorner(sites.samples, sites.count());
+  index_sites();
+}
+
+void JointProblem::index_sites() {
+  const Sites& sites = sites_;
+  const int count = sites.count(), samples = sites.samples;
+  direction_.resize(static_cast<std::size_t>(count) * count);
+  for (int k = 0; k < count; ++k)
+    for (int j = 0; j < count; ++j)
+      direction_[static_cast<std::size_t>(k) * count + j] = {sites.cosine(k, j), sites.sine(k, j)};
+  for (int i = 0; i < samples; ++i) {
+    for (int j : sites.neighbors[i]) {
+      const float d = sites.distance(i, j);
+      neighbor_.push_back({j, d, 1 / squared(d), sites.cosine(i, j), sites.sine(i, j)});
+    }
+    first_neighbor_.push_back(static_cast<int>(neighbor_.size()));
+  }
   near_sites_.resize(count);
   for (int k = 0; k < count; ++k) {
     std::vector<int>& near = near_sites_[k];
@@ -96,34 +126,38 @@ JointProblem::JointProblem(const Sites& sites, const Surface& surface, const Geo
   }
 }
 
-float JointProblem::orientation_error(const SampleMap& map, int i, int k) const {
-  // With directions as complex numbers, a reflection makes image * original, a rotation image / original, the same for
-  // all neighbours; the length of their mean says how well that holds.
+void JointProblem::look_around(const SampleMap& map, int i, Vicinity& out) const {
   const float sign = kind_ == SymmetryKind::reflection ? 1.f : -1.f;
-  float re = 0, im = 0;
-  float known = 0;
-  for (int j : sites_.neighbors[i]) {
-    if (map[j] < 0) continue;
-    const float w = 1 / squared(sites_.distance(i, j));
-    known += w;
-    const float a = sites_.cosine(k, map[j]), b = sites_.sine(k, map[j]);
-    const float x = sites_.cosine(i, j), y = sign * sites_.sine(i, j);
-    re += w * (a * x - b * y);
-    im += w * (a * y + b * x);
+  out.near.clear();
+  float total = 0;
+  for (int t = first_neighbor_[i]; t < first_neighbor_[i + 1]; ++t) {
+    const Neighbor& n = neighbor_[t];
+    if (map[n.sample] < 0) continue;
+    total += n.weight;
+    out.near.push_back({map[n.sample], n.distance, 1 / n.distance, n.weight * n.cosine, sign * n.weight * n.sine});
   }
-  return known ? 1 - std::sqrt(re * re + im * im) / known : 0;
+  out.inverse_weight = total > 0 ? 1 / total : 0;
+  out.inverse_count = out.near.empty() ? 0 : 1 / static_cast<float>(out.near.size());
 }
 
-float JointProblem::continuity_error(const SampleMap& map, int i, int k) const {
-  float sum = 0;
-  int known = 0;
-  for (int j : sites_.neighbors[i]) {
-    if (map[j] < 0) continue;
-    ++known;
-    const float d = sites_.distance(i, j);
-    sum += std::min(1.f, squared((sites_.distance(k, map[j]) - d) / d));
+float JointProblem::orientation_error(const Vicinity& around, int k) const {
+  // With directions as complex numbers, a reflection makes image * original, a rotation image / original, the same for
+  // all neighbours; the length of their mean says how well that holds.
+  const Direction* row = &direction_[static_cast<std::size_t>(k) * sites_.count()];
+  float re = 0, im = 0;
+  for (const Vicinity::Image& n : around.near) {
+    const Direction image = row[n.site];
+    re += image.cosine * n.cosine - image.sine * n.sine;
+    im += image.cosine * n.sine + image.sine * n.cosine;
   }
-  return known ? sum / static_cast<float>(known) : 0;
+  return around.near.empty() ? 0 : 1 - std::sqrt(re * re + im * im) * around.inverse_weight;
+}
+
+float JointProblem::continuity_error(const Vicinity& around, int k) const {
+  const float* row = sites_.distance.row(k).data();
+  float sum = 0;
+  for (const Vicinity::Image& n : around.near) sum += std::min(1.f, squared((row[n.site] - n.distance) * n.inverse));
+  return sum * around.inverse_count;
 }
 
 float JointProblem::bijectivity_error(const SampleMap& map, int i, int k) const {
@@ -137,6 +171,7 @@ float JointProblem::bijectivity_error(const SampleMap& map, int i, int k) const 
 CostTerms JointProblem::terms(const SampleMap& map) const {
   const int n = sites_.samples;
   double distance = 0, orientation = 0, continuity = 0, unary = 0, bijectivity = 0;
+  Vicinity around;
   for (int i = 0; i < n; ++i) {
     const float* row = sites_.distance.row(i).data();
     const float* image = sites_.distance.row(map[i]).data();
@@ -144,8 +179,9 @@ CostTerms JointProblem::terms(const SampleMap& map) const {
     float sum = 0;
     for (int j = 0; j < n; ++j) sum += std::min(kCap, squared(row[j] - image[map[j]]) * weight[j]);
     distance += sum;
-    if (oriented_) orientation += orientation_error(map, i, map[i]);
-    continuity += continuity_error(map, i, map[i]);
+    look_around(map, i, around);
+    if (oriented_) orientation += orientation_error(around, map[i]);
+    continuity += continuity_error(around, map[i]);
     unary += unary_(i, map[i]);
     bijectivity += bijectivity_error(map, i, map[i]);
   }
@@ -160,13 +196,14 @@ double JointProblem::total(const CostTerms& t) const {
 // What one gene costs, given all others; kept up to date as genes change.
 class JointProblem::Response {
  public:
-  Response(const JointProblem& problem, const SampleMap& map) : p_(problem), sites_(problem.sites_) {
+  Response(const JointProblem& problem, SampleMap& map)
+      : p_(problem), sites_(problem.sites_), map_(map), image_(table()), open_(map.size(), true) {
     const int n = sites_.samples, count = sites_.count();
     // Distance from site k to the partner of sample j, contiguous in j for the inner loop.
-    image().resize(static_cast<std::size_t>(n) * count);
+    image_.resize(static_cast<std::size_t>(n) * count);
     for (int k = 0; k < count; ++k) {
       const float* row = sites_.distance.row(k).data();
-      float* out = &image()[static_cast<std::size_t>(k) * n];
+      float* out = &image_[static_cast<std::size_t>(k) * n];
       for (int j = 0; j < n; ++j) out[j] = row[map[j]];
     }
     const JointOptions& o = problem.options_;  // a pair of samples counts twice in the cost: once for each
@@ -175,72 +212,117 @@ class JointProblem::Response {
     continuity_weight_ = static_cast<float>(2 * o.continuity_weight);
     bijectivity_weight_ = static_cast<float>(2 * o.bijectivity_weight);
   }
-  /// Cost of gene i at site k; anything >= `limit` once it is known to be that.
-  float cost(const SampleMap& map, int i, int k, float limit) const {
-    const int n = sites_.samples;
-    const float* to = &image()[static_cast<std::size_t>(k) * n];
-    float total = distance_weight_ * capped_error(sites_.distance.row(i).data(), to, p_.weight_.row(i).data(), n) +
-                  p_.unary_(i, k);
-    if (total >= limit) return total;
-    if (orientation_weight_ > 0) total += orientation_weight_ * p_.orientation_error(map, i, k);
-    if (total >= limit) return total;
-    return total + continuity_weight_ * p_.continuity_error(map, i, k) +
-           bijectivity_weight_ * p_.bijectivity_error(map, i, k);
+
+  const SampleMap& map() const { return map_; }
+  /// Whether a gene or one near it has changed since it was closed ("don't look bits", Bentley 1992).
+  bool is_open(int i) const { return open_[i]; }
+  void close() { open_[i_] = false; }
+
+  void look_at(int i) {
+    i_ = i;
+    p_.look_around(map_, i, around_);
   }
-  void set(SampleMap& map, int i, int k) {
-    map[i] = k;
+  /// Cost of the gene that is looked at, at site k; anything >= `limit` once it is known to be that.
+  float cost(int k, float limit) const {
+    const int i = i_, n = sites_.samples, half = n / 2;
+    const float* to = &image_[static_cast<std::size_t>(k) * n];
+    const float *from = sites_.distance.row(i).data(), *weight = p_.weight_.row(i).data();
+    // Samples come from coarse to fine, so that the first half tells most of the wrong sites.
+    float total = p_.unary_(i, k) + distance_weight_ * capped_error(from, to, weight, half);
+    if (total >= limit) return total;
+    total += distance_weight_ * capped_error(from + half, to + half, weight + half, n - half);
+    if (total >= limit) return total;
+    if (orientation_weight_ > 0) total += orientation_weight_ * p_.orientation_error(around_, k);
+    if (total >= limit) return total;
+    return total + continuity_weight_ * p_.continuity_error(around_, k) +
+           bijectivity_weight_ * p_.bijectivity_error(map_, i, k);
+  }
+
+  /// Gives it the site k.
+  void set(int k) {
+    map_[i_] = k;
+    open_[i_] = true;
+    for (int j : sites_.neighbors[i_]) open_[j] = true;
     for (int j = 0; j < sites_.count(); ++j)
-      image()[static_cast<std::size_t>(j) * sites_.samples + i] = sites_.distance(j, k);
+      image_[static_cast<std::size_t>(j) * sites_.samples + i_] = sites_.distance(j, k);
   }
 
  private:
-  static std::vector<float>& image() {
+  static std::vector<float>& table() {
     thread_local std::vector<float> table;  // one per thread: no allocation per individual
     return table;
   }
   const JointProblem& p_;
   const Sites& sites_;
+  SampleMap& map_;
+  std::vector<float>& image_;
+  int i_ = 0;
+  Vicinity around_;
+  std::vector<char> open_;
   float distance_weight_, orientation_weight_, continuity_weight_, bijectivity_weight_;
 };
 
-int JointProblem::best_response(SampleMap& map, float radius) const {
+int JointProblem::best_response(SampleMap& map, float radius, int sweeps) const {
   Response response(*this, map);
   int changed = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const int now = best_response(response, radius);
+    changed += now;
+    if (!now) break;
+  }
+  return changed;
+}
+
+int JointProblem::best_response(Response& response, float radius) const {
+  int changed = 0;
   for (int i = 0; i < sites_.samples; ++i) {
-    int best = map[i];
-    float least = response.cost(map, i, best, kInfinity);
+    if (!response.is_open(i)) continue;
+    response.look_at(i);
+    const int present = response.map()[i];
+    int best = present;
+    float least = response.cost(best, kInfinity);
     const auto consider = [&](int k) {
-      const float cost = response.cost(map, i, k, least);
+      const float cost = response.cost(k, least);
       if (cost < least) least = cost, best = k;
     };
     if (radius == kEverywhere) {
       for (int k = 0; k < sites_.samples; ++k) consider(k);
     } else {
-      for (int k : near_sites_[map[i]]) {
-        if (sites_.distance(map[i], k) > radius) break;
+      for (int k : near_sites_[present]) {
+        if (sites_.distance(present, k) > radius) break;
         consider(k);
       }
     }
-    if (best != map[i]) response.set(map, i, best), ++changed;
+    response.close();
+    if (best != present) response.set(best), ++changed;
   }
   return changed;
 }
 
 int JointProblem::relocate_outliers(SampleMap& map) const {
   Response response(*this, map);
+  return relocate_outliers(response);
+}
+
+int JointProblem::relocate_outliers(Response& response) const {
   std::vector<double> costs(sites_.samples);
-  for (int i = 0; i < sites_.samples; ++i) costs[i] = response.cost(map, i, map[i], kInfinity);
+  for (int i = 0; i < sites_.samples; ++i) {
+    response.look_at(i);
+    costs[i] = response.cost(response.map()[i], kInfinity);
+  }
   const std::vector<double> z = z_scores(costs);
   int changed = 0;
   for (int i = 0; i < sites_.samples; ++i) {
     if (z[i] <= options_.outlier_z) continue;
-    int best = map[i];
-    float least = response.cost(map, i, best, kInfinity);
+    response.look_at(i);
+    const int present = response.map()[i];
+    int best = present;
+    float least = response.cost(best, kInfinity);
     for (int k = 0; k < sites_.count(); ++k) {
-      const float cost = response.cost(map, i, k, least);
+      const float cost = response.cost(k, least);
       if (cost < least) least = cost, best = k;
     }
-    if (best != map[i]) response.set(map, i, best), ++changed;
+    if (best != present) response.set(best), ++changed;
   }
   return changed;
 }
@@ -255,11 +337,13 @@ void JointProblem::recreate(SampleMap& map) const {
   for (int i : lost)
     for (int j : kept) inside[i] = std::min(inside[i], sites_.distance(i, j));
   std::stable_sort(lost.begin(), lost.end(), [&](int a, int b) { return inside[a] < inside[b]; });
-  std::vector<float> error(count), row, to, weight;
+  std::vector<float> row, to, weight;
+  Vicinity around;
   for (int i : lost) {
     const int m = static_cast<int>(kept.size());
     row.resize(m), to.resize(m), weight.resize(m);
     for (int j = 0; j < m; ++j) row[j] = sites_.distance(i, kept[j]), weight[j] = weight_(i, kept[j]);
+    look_around(map, i, around);
     float least = kInfinity;
     int best = i;
     for (int k = 0; k < count; ++k) {
@@ -269,9 +353,9 @@ void JointProblem::recreate(SampleMap& map) const {
                         capped_error(row.data(), to.data(), weight.data(), m) / static_cast<float>(m) +
                     unary_(i, k);
       if (total >= least) continue;
-      if (oriented_) total += static_cast<float>(2 * options_.orientation_weight) * orientation_error(map, i, k);
+      if (oriented_) total += static_cast<float>(2 * options_.orientation_weight) * orientation_error(around, k);
       if (total >= least) continue;
-      total += static_cast<float>(2 * options_.continuity_weight) * continuity_error(map, i, k);
+      total += static_cast<float>(2 * options_.continuity_weight) * continuity_error(around, k);
       if (total < least) least = total, best = k;
     }
     map[i] = best;
@@ -316,8 +400,13 @@ double JointProblem::moved(const SampleMap& map) const {
 
 double JointProblem::evaluate(SampleMap& map, int) const {
   recreate(map);
-  for (int sweep = 0; sweep < 2; ++sweep)
-    if (!best_response(map, kLocal) && !relocate_outliers(map)) break;
+  Response response(*this, map);
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    if (!best_response(response, kLocal) && !relocate_outliers(response)) break;
+  return score(map);
+}
+
+double JointProblem::score(const SampleMap& map) const {
   const double share = moved(map);
   return share < kTrivial ? kInfinity : cost(map) / (share * share);
 }
@@ -326,6 +415,25 @@ double JointProblem::best(const Population<SampleMap>& population) const {
   double least = kInfinity;
   for (const auto& individual : population) least = std::min(least, individual.cost);
   return least;
+}
+
+int JointProblem::region_step(const SampleMap& map, int i, int reference, Random& random) const {
+  const int count = sites_.count(), image = map[reference];
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  const auto nearer = [&](int a, int b) { return sites_.distance(image, a) < sites_.distance(image, b); };
+  std::stable_sort(order.begin(), order.end(), nearer);
+  const auto region = [&](std::ptrdiff_t rank) {
+    return static_cast<int>(std::min<std::ptrdiff_t>(rank, count - 1) * kRegions / count);
+  };
+  const int present = region(std::find(order.begin(), order.end(), map[i]) - order.begin());
+  const auto wanted_rank =
+      std::partition_point(order.begin(), order.end(),
+                           [&](int k) { return sites_.distance(image, k) < sites_.distance(reference, i); }) -
+      order.begin();
+  const int wanted = region(wanted_rank), next = present + (wanted > present) - (wanted < present);
+  const int first = (next * count + kRegions - 1) / kRegions, last = ((next + 1) * count + kRegions - 1) / kRegions;
+  return order[first + static_cast<int>(draw_below(random, last - first))];
 }
 
 Population<SampleMap> JointProblem::vary(const Population<SampleMap>& population, const std::vector<double>& z_errors,
@@ -342,9 +450,13 @@ Population<SampleMap> JointProblem::vary(const Population<SampleMap>& population
     for (int i = 0; i < n; ++i)
       if (sites_.distance(center, i) <= radius) child[i] = ruin ? -1 : mate[i];
     if (std::count(child.begin(), child.end(), -1) > n / 2) continue;
-    for (int i = 0; i < n; ++i)
-      if (draw_unit(random) < options_.mutation_probability)
-        child[i] = static_cast<int>(draw_below(random, sites_.count()));
+    for (int i = 0; i < n; ++i) {
+      if (draw_unit(random) >= options_.mutation_probability) continue;
+      const int reference = anchors_.empty() ? static_cast<int>(draw_below(random, n))
+                                             : anchors_[draw_below(random, anchors_.size())].vertex;
+      const bool step = draw_unit(random) < 0.5 && child[i] >= 0 && child[reference] >= 0;
+      child[i] = step ? region_step(child, i, reference, random) : static_cast<int>(draw_below(random, sites_.count()));
+    }
     if (child != population[k].genome) children.push_back({std::move(child)});
   }
   return children;
@@ -377,6 +489,20 @@ std::vector<std::array<int, 2>> JointProblem::seeds() const {
       out.push_back({tips[a], tips[b]});
       if (kind_ == SymmetryKind::rotation && a != b) out.push_back({tips[b], tips[a]});
     }
+  // Where tips are few, pairs that look most alike.
+  struct Alike {
+    float unlike;
+    int a, b;
+  };
+  std::vector<Alike> alike;
+  for (int a = 0; a < std::min(kCoarseSamples, sites_.samples); ++a)
+    for (int b = 0; b < a; ++b) alike.push_back({unary_(a, b), a, b});
+  std::stable_sort(alike.begin(), alike.end(), [](const Alike& x, const Alike& y) { return x.unlike < y.unlike; });
+  for (const Alike& pair : alike) {
+    if (out.size() >= kSeedPairs) break;
+    out.push_back({pair.a, pair.b});
+    if (kind_ == SymmetryKind::rotation) out.push_back({pair.b, pair.a});
+  }
   return out;
 }
 
@@ -400,35 +526,41 @@ void sort_by_cost(Population<SampleMap>& population) {
   std::stable_sort(population.begin(), population.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
 }
 
-// Coherent maps, each improved over all samples: the best of every seed pair first, then the second best, ...
+// Coherent maps that are distinct after some improvement over the first samples alone, which costs little, the best of
+// them carried to all samples and improved there.
 Population<SampleMap> seed_population(const JointProblem& problem, int limit, int threads, const Context& context) {
+  const Sites few = coarsened(problem.sites(), kCoarseSamples, problem.sites().samples);
+  const JointProblem coarse(problem, few);
   const std::vector<std::array<int, 2>> seeds = problem.seeds();
   std::vector<Population<SampleMap>> of_pair(seeds.size());
   parallel_for(static_cast<int>(seeds.size()), threads, [&](int s, int) {
     if (context.cancelled()) throw Cancelled();
-    Population<SampleMap> tried;
+    Population<SampleMap> turned;
     for (int a = 0; a < kAngles; ++a) {
-      SampleMap map = problem.polar_map(seeds[s][0], seeds[s][1], 2 * 3.14159265358979323846 * a / kAngles);
-      const double cost = problem.cost(map);
-      tried.push_back({std::move(map), cost, true});
+      SampleMap map = coarse.polar_map(seeds[s][0], seeds[s][1], 2 * 3.14159265358979323846 * a / kAngles);
+      const double cost = coarse.cost(map);
+      turned.push_back({std::move(map), cost, true});
     }
-    sort_by_cost(tried);
-    of_pair[s] = distinct(problem, tried, kDistinctSeeds, kSeedsPerPair);
+    sort_by_cost(turned);
+    of_pair[s] = distinct(coarse, turned, kDistinctTurns, kSeedsPerPair);
   });
-  Population<SampleMap> out;
-  for (int rank = 0; rank < kSeedsPerPair; ++rank) {
-    Population<SampleMap> level;
-    for (const auto& population : of_pair)
-      if (rank < static_cast<int>(population.size())) level.push_back(population[rank]);
-    sort_by_cost(level);
-    for (auto& individual : level)
-      if (static_cast<int>(out.size()) < limit) out.push_back(std::move(individual));
-  }
+  Population<SampleMap> tried;
+  for (auto& population : of_pair)
+    for (auto& individual : population) tried.push_back(std::move(individual));
+  sort_by_cost(tried);
+  if (tried.size() > kTried) tried.resize(kTried);
+  parallel_for(static_cast<int>(tried.size()), threads, [&](int t, int) {
+    if (context.cancelled()) throw Cancelled();
+    coarse.best_response(tried[t].genome, kEverywhere, kSweeps);
+    tried[t].cost = coarse.score(tried[t].genome);
+  });
+  sort_by_cost(tried);
+  Population<SampleMap> out = distinct(coarse, tried, kDistinctSeeds, limit);
   parallel_for(static_cast<int>(out.size()), threads, [&](int i, int worker) {
     if (context.cancelled()) throw Cancelled();
-    for (int sweep = 0; sweep < kSeedSweeps; ++sweep)
-      if (!problem.best_response(out[i].genome, kEverywhere)) break;
+    out[i].genome.resize(problem.sites().samples, -1);
     out[i].cost = problem.evaluate(out[i].genome, worker);
+    out[i].evaluated = true;
   });
   sort_by_cost(out);
   return distinct(problem, out, kSame, limit);

@@ -68,6 +68,12 @@ std::vector<int> nearest_samples(const Sites& sites, int sample, int count) {
   return order;
 }
 
+void relate(Sites& s, int neighbors) {
+  s.nearest_sample.resize(s.count());
+  for (int k = 0; k < s.count(); ++k) s.distance.row(k).head(s.samples).minCoeff(&s.nearest_sample[k]);
+  for (int i = 0; i < s.samples; ++i) s.neighbors.push_back(nearest_samples(s, i, neighbors));
+}
+
 std::vector<int> extremal_samples(const Sites& sites) {
   const auto is_extremum = [&](int i, float sign) {
     return std::all_of(sites.neighbors[i].begin(), sites.neighbors[i].end(),
@@ -100,10 +106,20 @@ Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int sampl
   s.field = std::move(spaced.distance);
   std::tie(s.cosine, s.sine) = directions(surface, s.vertex, s.field, threads);
   s.descriptor = disc_descriptors(surface, s.field, threads, s.centricity);
-  s.nearest_sample.resize(count);
-  for (int k = 0; k < count; ++k) s.distance.row(k).head(s.samples).minCoeff(&s.nearest_sample[k]);
-  for (int i = 0; i < s.samples; ++i) s.neighbors.push_back(nearest_samples(s, i, neighbors));
+  relate(s, neighbors);
   s.extremal = extremal_samples(s);
+  return s;
+}
+
+Sites coarsened(const Sites& fine, int samples, int sites) {
+  const int count = std::min(sites, fine.count());
+  Sites s;
+  s.samples = std::min({samples, fine.samples, count});
+  s.vertex.assign(fine.vertex.begin(), fine.vertex.begin() + count);
+  s.distance = fine.distance.topLeftCorner(count, count);
+  s.cosine = fine.cosine.topLeftCorner(count, count);
+  s.sine = fine.sine.topLeftCorner(count, count);
+  relate(s, static_cast<int>(fine.neighbors[0].size()));
   return s;
 }
 

@@ -41,6 +41,7 @@ namespace {
 constexpr int kNeighbors = 8;              // samples that count as near for orientation and continuity
 constexpr int kMaxOrder = 12;              // of rotations
 constexpr int kCompared = 3, kAll = 1000;  // survivors taken to vertex resolution, to find the best or any
+constexpr double kClose = 1.5;             // times the best score: refinement may still change the order
 constexpr double kShortestAxis = 0.05;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
@@ -350,10 +351,14 @@ std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolv
   std::vector<Candidate> refined, out;
   for (const Survivor& s : survivors) {
     Candidate c;
-    c.refined = refine_landmarks(surface, solver, make_landmarks(survey.sites, *s.map, survey.anchors, images),
-                                 survey.from, survey.curvature, survey.refine, threads, context);
+    c.refined = make_landmarks(survey.sites, *s.map, survey.anchors, images);
     c.order = survey.refine.reflection ? 2 : order_of(survey.sites, *s.map);
-    c.score = disagreement(surface, survey, c.refined);
+    c.score = s.score;
+    if (count == kAll || s.score < kClose * survivors[0].score) {
+      c.refined = refine_landmarks(surface, solver, std::move(c.refined), survey.from, survey.curvature, survey.refine,
+                                   threads, context);
+      c.score = disagreement(surface, survey, c.refined);
+    }
     refined.push_back(std::move(c));
   }
   std::stable_sort(refined.begin(), refined.end(), by_score);

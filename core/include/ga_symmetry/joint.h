@@ -39,19 +39,30 @@ class JointProblem {
   JointProblem(const Sites& sites, const Surface& surface, const GeodesicSolver& solver, SymmetryKind kind,
                const std::vector<Anchor>& anchors, const JointOptions& options);
 
+  /// The same problem over fewer sites. @param coarse  from `coarsened`
+  JointProblem(const JointProblem& fine, const Sites& coarse);
+
   CostTerms terms(const SampleMap& map) const;
   double cost(const SampleMap& map) const { return total(terms(map)); }
   double total(const CostTerms& t) const;
+
+  /// Cost for how far the map moves the samples: the identity costs nothing and is no symmetry.
+  double score(const SampleMap& map) const;
 
   /// Every gene in turn takes the site that is best given all others.
   /// @param radius  look among the sites within this distance of the present partner, [0, 0.25] units; +inf = among all
   ///        samples' own sites
   /// @return genes changed
-  int best_response(SampleMap& map, float radius) const;
+  int best_response(SampleMap& map, float radius, int sweeps = 1) const;
 
   /// The genes that fit far worse than the others (the paper's outliers) take the best of all sites.
   /// @return genes changed
   int relocate_outliers(SampleMap& map) const;
+
+  /// The paper's crossover, as a mutation: sites sorted by distance from the reference's image make five regions; the
+  /// gene's new site, at random, lies one region nearer to that of the sample's own distance from the reference.
+  /// @param reference  sample; its gene and gene i are known
+  int region_step(const SampleMap& map, int i, int reference, Random& random) const;
 
   /// Genes that are -1 take, from the rim of their region inwards, the site that is best given the genes known so far
   /// ("ruin and recreate", Schrimpf et al. 2000). Leaves a map without a known gene as it is.
@@ -79,8 +90,28 @@ class JointProblem {
 
  private:
   class Response;
-  float orientation_error(const SampleMap& map, int sample, int site) const;
-  float continuity_error(const SampleMap& map, int sample, int site) const;
+  void index_sites();
+  struct Direction {
+    float cosine, sine;
+  };
+  struct Neighbor {
+    int sample;
+    float distance, weight, cosine, sine;  // weight 1 / d^2
+  };
+  // What orientation and continuity at a sample depend on: where its neighbours' partners are.
+  struct Vicinity {
+    struct Image {
+      int site;
+      float distance, inverse, cosine, sine;  // from the sample to the neighbour; direction weighted
+    };
+    std::vector<Image> near;
+    float inverse_weight = 0, inverse_count = 0;
+  };
+  void look_around(const SampleMap& map, int sample, Vicinity& out) const;
+  int best_response(Response& response, float radius) const;
+  int relocate_outliers(Response& response) const;
+  float orientation_error(const Vicinity& around, int site) const;
+  float continuity_error(const Vicinity& around, int site) const;
   float bijectivity_error(const SampleMap& map, int sample, int site) const;
 
   const Sites& sites_;
@@ -90,6 +121,9 @@ class JointProblem {
   std::vector<Anchor> anchors_;               // as nearest sample and nearest site
   Table weight_;                              // samples x samples: 1 / (d^2 + eps)
   Table unary_;                               // samples x sites
+  std::vector<Direction> direction_;          // sites x sites
+  std::vector<int> first_neighbor_{0};        // per sample, into neighbor_; samples + 1
+  std::vector<Neighbor> neighbor_;            // near samples
   std::vector<std::vector<int>> near_sites_;  // per site, nearest first
 };
 

@@ -34,4 +34,7 @@ struct Sites {
 Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
                  int threads, const Context& context = {});
 
+/// The first of the sites alone, with their distances and directions but without fields, descriptors and tips.
+Sites coarsened(const Sites& fine, int samples, int sites);
+
 }  // namespace ga_symmetry
