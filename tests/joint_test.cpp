@@ -460,6 +460,35 @@ TEST(FindRotation, ThePinwheelTurnsByAThird) {
   EXPECT_LT(e.mean, 0.05);
 }
 
+// A missing hand, a hole and a hump: all other vertices keep their partners, and these stand out by their fitness.
+TEST(BrokenSymmetry, DisturbsOnlyWhatIsAffected) {
+  for (const char* broken : {"no_hand", "hole", "hump"}) {
+    SCOPED_TRACE(broken);
+    const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/person_wave_" + broken;
+    const TriangleMesh mesh = read_mesh(base + ".off");
+    std::ifstream refs(base + ".refs"), list(base + ".affected");
+    Options o;
+    o.references.axis.resize(2), o.references.pairs.resize(1);
+    ASSERT_TRUE(refs >> o.references.axis[0] >> o.references.axis[1] >> o.references.pairs[0][0] >>
+                o.references.pairs[0][1]);
+    const Result result = find_symmetry(mesh, o);
+    const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partner);
+    EXPECT_GT(e.corr, 0.98);
+    EXPECT_LT(e.mean, 0.04);
+    std::vector<char> affected(mesh.vertices(), 0);
+    for (int v; list >> v;) affected[v] = 1;
+    std::vector<double> there, elsewhere;
+    for (int v = 0; v < mesh.vertices(); ++v) (affected[v] ? there : elsewhere).push_back(result.fitness[v]);
+    ASSERT_FALSE(there.empty());
+    // The chance that an affected vertex has a higher fitness than another one.
+    std::sort(elsewhere.begin(), elsewhere.end());
+    double lower = 0;
+    for (double f : there)
+      lower += static_cast<double>(std::lower_bound(elsewhere.begin(), elsewhere.end(), f) - elsewhere.begin());
+    EXPECT_GT(lower / static_cast<double>(there.size() * elsewhere.size()), 0.9);
+  }
+}
+
 TEST(ListSymmetries, TheTrefoilHasThreeReflectionsAndTwoTurns) {
   const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/trefoil_bend";
   const TriangleMesh mesh = read_mesh(base + ".off");
