@@ -23,17 +23,23 @@ screen_packages=(xvfb xauth)
 picture_packages=(xdotool imagemagick)
 test_packages=(libgtest-dev librapidcheck-dev lintian parallel)
 
-# build PRESET [OPTION]... [-- TARGET...]: fetches MeshLab's source if need be, configures, builds in build/PRESET.
-build() {
-  local preset=$1 source options=() targets=()
-  shift
-  while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1") && shift; done
-  [ $# -eq 0 ] || targets=(--target "${@:2}")
+# configure PRESET [OPTION]...: fetches MeshLab's source if need be, configures build/PRESET.
+configure() {
+  local preset=$1 source options=("${@:2}")
   case $preset in dev | release) options+=(-DGA_SYMMETRY_PLUGIN=ON) ;; esac
   source=$(scripts/get_meshlab_source)
   echo "== MeshLab's source is in $source"
-  echo "== building in build/$preset"
   cmake --preset "$preset" --log-level=WARNING "${options[@]}" >/dev/null
+}
+
+# build PRESET [OPTION]... [-- TARGET...]: configures, then builds in build/PRESET.
+build() {
+  local preset=$1 options=() targets=()
+  shift
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1") && shift; done
+  [ $# -eq 0 ] || targets=(--target "${@:2}")
+  configure "$preset" "${options[@]}"
+  echo "== building in build/$preset"
   cmake --build "build/$preset" "${targets[@]}"
 }
 
