@@ -115,7 +115,7 @@ class JointProblem {
   float bijectivity_error(const SampleMap& map, int sample, int site) const;
 
   const Sites& sites_;
-  const JointOptions& options_;
+  JointOptions options_;  // a copy: callers may pass a temporary
   SymmetryKind kind_;
   bool oriented_;
   std::vector<Anchor> anchors_;               // as nearest sample and nearest site
