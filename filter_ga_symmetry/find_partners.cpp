@@ -160,7 +160,7 @@ void log_summary(const Result& result, const FilterRun& run) {
           std::to_string(result.partner.size()) + " vertices matched, " + std::to_string(result.pairs.size()) +
           " pairs of samples, mean fitness " + text("%.4g", result.mean_fitness) + ", confidence " +
           text("%.2f", result.confidence));
-  run.log("Search: " + std::to_string(result.log.size()) + " generations, stopped by " + to_string(result.stop));
+  run.log("Search: " + std::to_string(result.log.size()) + " generations, stopped: " + to_string(result.stop));
   std::string stages;
   double total = 0;
   for (const StageTime& stage : result.seconds) {

@@ -233,7 +233,7 @@ void add_find(CLI::App& app, Run& chosen) {
       ->type_name("N")
       ->capture_default_str();
   find.add_option("--max-fitness", options.max_fitness,
-                  "A vertex whose fitness is above has no partner: -1; 0 = keep all. try 0.08")
+                  "A vertex whose fitness is above has no partner: -1. 0 = keep all; try 0.08")
       ->type_name("X")
       ->capture_default_str();
   find.add_flag("--largest-component", options.largest_component,

@@ -19,18 +19,18 @@ constexpr float kReturn2 = 0.04f;  // squared distance at which a partner's part
 constexpr int kAngles = 24;        // directions tried per seed
 // Seeds are improved over few samples first, which costs a fraction.
 constexpr int kCoarseSamples = 60;
-constexpr std::size_t kSeedPairs = 60;  // at least; pairs of tips may be more
-constexpr int kSeedsPerPair = 6;        // distinct maps kept per seed pair
-constexpr std::size_t kTried = 160;     // that many of the best maps of all pairs are improved
-constexpr int kRegions = 5;             // of distance, as in the paper
-constexpr int kSweeps = 6;              // of best responses, at most
-constexpr float kLocal = 0.25f;         // radius in which a child's genes look for better sites
-constexpr double kDistinctTurns = 0.1;
-constexpr double kDistinctSeeds = 0.08;
-constexpr double kSame = 0.02;     // maps closer than this are one
-constexpr double kDistinct = 0.1;  // maps farther apart than this are different symmetries
-constexpr double kMoved2 = 0.02;   // squared distance at which a partner is plainly not oneself
-constexpr double kTrivial = 0.1;   // a map that moves a smaller share is the identity
+constexpr std::size_t kSeedPairs = 60;   // at least; pairs of tips may be more
+constexpr int kSeedsPerPair = 6;         // distinct maps kept per seed pair
+constexpr std::size_t kTried = 160;      // that many of the best maps of all pairs are improved
+constexpr int kRegions = 5;              // of distance, as in the paper
+constexpr int kSweeps = 6;               // of best responses, at most
+constexpr float kLocal = 0.25f;          // radius in which a child's genes look for better sites
+constexpr double kDistinctTurns = 0.1;   // maps of one pair closer than this are one
+constexpr double kDistinctSeeds = 0.08;  // and of all pairs, once improved
+constexpr double kSame = 0.02;           // maps closer than this are one
+constexpr double kDistinct = 0.1;        // maps farther apart than this are different symmetries
+constexpr double kMoved2 = 0.02;         // squared distance at which a partner is plainly not oneself
+constexpr double kTrivial = 0.1;         // a map that moves a smaller share is the identity
 constexpr int kSurvivors = 30;
 constexpr float kDescriptorsBesideReferences = 0.3f;
 
@@ -103,18 +103,11 @@ JointProblem::JointProblem(const JointProblem& fine, const Sites& sites)
 
 void JointProblem::index_sites() {
   const Sites& sites = sites_;
-  const int count = sites.count(), samples = sites.samples;
+  const int count = sites.count();
   direction_.resize(static_cast<std::size_t>(count) * count);
   for (int k = 0; k < count; ++k)
     for (int j = 0; j < count; ++j)
       direction_[static_cast<std::size_t>(k) * count + j] = {sites.cosine(k, j), sites.sine(k, j)};
-  for (int i = 0; i < samples; ++i) {
-    for (int j : sites.neighbors[i]) {
-      const float d = sites.distance(i, j);
-      neighbor_.push_back({j, d, 1 / squared(d), sites.cosine(i, j), sites.sine(i, j)});
-    }
-    first_neighbor_.push_back(static_cast<int>(neighbor_.size()));
-  }
   near_sites_.resize(count);
   for (int k = 0; k < count; ++k) {
     std::vector<int>& near = near_sites_[k];
@@ -130,11 +123,11 @@ void JointProblem::look_around(const SampleMap& map, int i, Vicinity& out) const
   const float sign = kind_ == SymmetryKind::reflection ? 1.f : -1.f;
   out.near.clear();
   float total = 0;
-  for (int t = first_neighbor_[i]; t < first_neighbor_[i + 1]; ++t) {
-    const Neighbor& n = neighbor_[t];
-    if (map[n.sample] < 0) continue;
-    total += n.weight;
-    out.near.push_back({map[n.sample], n.distance, 1 / n.distance, n.weight * n.cosine, sign * n.weight * n.sine});
+  for (int j : sites_.neighbors[i]) {
+    if (map[j] < 0) continue;
+    const float d = sites_.distance(i, j), weight = 1 / squared(d);
+    total += weight;
+    out.near.push_back({map[j], d, 1 / d, weight * sites_.cosine(i, j), sign * weight * sites_.sine(i, j)});
   }
   out.inverse_weight = total > 0 ? 1 / total : 0;
   out.inverse_count = out.near.empty() ? 0 : 1 / static_cast<float>(out.near.size());

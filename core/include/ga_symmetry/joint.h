@@ -52,6 +52,7 @@ class JointProblem {
   /// Every gene in turn takes the site that is best given all others.
   /// @param radius  look among the sites within this distance of the present partner, [0, 0.25] units; +inf = among all
   ///        samples' own sites
+  /// @param sweeps  over all genes, at most, >= 1; from the second on only where a gene or one near it has changed
   /// @return genes changed
   int best_response(SampleMap& map, float radius, int sweeps = 1) const;
 
@@ -94,10 +95,6 @@ class JointProblem {
   struct Direction {
     float cosine, sine;
   };
-  struct Neighbor {
-    int sample;
-    float distance, weight, cosine, sine;  // weight 1 / d^2
-  };
   // What orientation and continuity at a sample depend on: where its neighbours' partners are.
   struct Vicinity {
     struct Image {
@@ -121,9 +118,7 @@ class JointProblem {
   std::vector<Anchor> anchors_;               // as nearest sample and nearest site
   Table weight_;                              // samples x samples: 1 / (d^2 + eps)
   Table unary_;                               // samples x sites
-  std::vector<Direction> direction_;          // sites x sites
-  std::vector<int> first_neighbor_{0};        // per sample, into neighbor_; samples + 1
-  std::vector<Neighbor> neighbor_;            // near samples
+  std::vector<Direction> direction_;          // sites x sites: both in one cache line
   std::vector<std::vector<int>> near_sites_;  // per site, nearest first
 };
 
