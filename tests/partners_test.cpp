@@ -16,6 +16,7 @@
 #include "ga_symmetry/lines.h"
 #include "ga_symmetry/mirror.h"
 #include "ga_symmetry/sampling.h"
+#include "ga_symmetry/symmetry.h"
 #include "symmetric_shapes.h"
 
 namespace ga_symmetry {
@@ -150,6 +151,127 @@ TEST(AxisLines, OneClosedLineInThePlane) {
   const auto threads = axis_lines(c.mesh, c.partners, 3);
   ASSERT_EQ(threads[0].size(), lines[0].size());
   for (std::size_t i = 0; i < lines[0].size(); ++i) EXPECT_EQ(threads[0][i].weight, lines[0][i].weight);
+}
+
+// A thin tail on the axis is nearly its own mirror image: a map that leaves it in place is hardly wrong, but tells
+// nothing of its sides.
+TEST(AxisLines, OneLineThoughTheMapLeavesTheTailInPlace) {
+  const Creature& c = creature();
+  Partners p = c.partners;
+  const double* tip = &c.straight.mesh.position[3 * c.straight.axis[1]];
+  int in_place = 0;
+  for (std::size_t v = 0; v < p.partner.size(); ++v) {
+    const double* x = &c.straight.mesh.position[3 * v];
+    if (std::hypot(x[0] - tip[0], x[1] - tip[1], x[2] - tip[2]) > 0.8) continue;
+    p.partner[v] = static_cast<int>(v);
+    ++in_place;
+  }
+  ASSERT_GT(in_place, 50);
+  EXPECT_EQ(axis_lines(c.mesh, p, 1).size(), 1u);
+}
+
+// Mirrored in x its axis goes twice around the tube, mirrored in z twice around the hole.
+TEST(AxisLines, ATorusKeepsBothItsLines) {
+  const TriangleMesh mesh = shapes::torus(48, 24);
+  for (const int mirrored : {0, 2}) {
+    Partners p;
+    for (int v = 0; v < mesh.vertices(); ++v) {
+      double at[3] = {mesh.position[3 * v], mesh.position[3 * v + 1], mesh.position[3 * v + 2]};
+      p.side.push_back(std::abs(at[mirrored]) < 1e-9 ? 0 : at[mirrored] > 0 ? 1 : -1);
+      at[mirrored] = -at[mirrored];
+      int nearest = 0;
+      const auto distance = [&](int w) {
+        return std::hypot(mesh.position[3 * w] - at[0], mesh.position[3 * w + 1] - at[1],
+                          mesh.position[3 * w + 2] - at[2]);
+      };
+      for (int w = 1; w < mesh.vertices(); ++w)
+        if (distance(w) < distance(nearest)) nearest = w;
+      ASSERT_LT(distance(nearest), 1e-9);
+      p.partner.push_back(nearest);
+      p.fitness.push_back(0);
+    }
+    const auto lines = axis_lines(mesh, p, 1);
+    ASSERT_EQ(lines.size(), 2u) << "mirrored in "
+                                << "xyz"[mirrored];
+    for (const auto& line : lines) {
+      EXPECT_EQ(position_of(mesh, line.front()), position_of(mesh, line.back())) << "not closed";
+      for (const SurfacePoint& point : line) EXPECT_LT(std::abs(position_of(mesh, point)[mirrored]), 0.1);
+    }
+  }
+}
+
+TEST(AxisLines, OneClosedLineOnTheSamples) {
+  for (const std::string name : {"animal_graze", "animal_walk", "person_dance"}) {
+    const TriangleMesh mesh = read_mesh(std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/" + name + ".off");
+    const Result found = find_symmetry(mesh);
+    const auto lines = axis_lines(mesh, {found.partner, found.fitness, found.side}, 0);
+    ASSERT_EQ(lines.size(), 1u) << name;
+    EXPECT_EQ(position_of(mesh, lines[0].front()), position_of(mesh, lines[0].back())) << name << ": not closed";
+  }
+}
+
+int pieces(const Surface& surface, const std::vector<float>& function) {
+  std::vector<int> piece(surface.vertices(), -1);
+  int count = 0;
+  for (int start = 0; start < surface.vertices(); ++start) {
+    if (piece[start] >= 0) continue;
+    std::vector<int> stack{start};
+    piece[start] = count;
+    while (!stack.empty()) {
+      const int v = stack.back();
+      stack.pop_back();
+      for (int corner = 0; corner < 3 * surface.triangles(); ++corner) {
+        if (surface.triangle[corner] != v) continue;
+        for (const int w : {surface.triangle[next_corner(corner)], surface.triangle[previous_corner(corner)]})
+          if (piece[w] < 0 && (function[w] > 0) == (function[v] > 0)) piece[w] = count, stack.push_back(w);
+      }
+    }
+    ++count;
+  }
+  return count;
+}
+
+TEST(ConnectSides, JoinsWhatIsCutOffAndDropsWhatIsStray) {
+  const TriangleMesh mesh = shapes::icosphere(3);
+  const Surface surface = make_surface(mesh);
+  std::vector<float> clean;
+  const auto point = [&](int v) { return &mesh.position[3 * surface.mesh_vertex[v]]; };
+  for (int v = 0; v < surface.vertices(); ++v) clean.push_back(static_cast<float>(point(v)[0]) + 0.01f);
+  auto function = clean;
+  connect_sides(surface, function);
+  EXPECT_EQ(function, clean) << "two sides in one piece each were changed";
+  // A weak spot in the middle of the other side goes over to it, and nothing else changes.
+  const auto within = [&](int v, double x, double y, double z, double radius) {
+    const double* p = point(v);
+    return std::hypot(p[0] - x, p[1] - y, p[2] - z) < radius;
+  };
+  for (int v = 0; v < surface.vertices(); ++v)
+    if (within(v, -1, 0, 0, 0.3)) function[v] = 0.01f;
+  ASSERT_EQ(pieces(surface, function), 3);
+  connect_sides(surface, function);
+  EXPECT_EQ(pieces(surface, function), 2);
+  for (int v = 0; v < surface.vertices(); ++v) EXPECT_EQ(function[v] > 0, clean[v] > 0);
+  // A strong part of the left that a weak ditch cuts off is joined to it again: the part keeps its sign.
+  function = clean;
+  for (int v = 0; v < surface.vertices(); ++v)
+    if (within(v, 1, 0, 0, 0.6) && !within(v, 1, 0, 0, 0.35)) function[v] = -0.01f;
+  ASSERT_EQ(pieces(surface, function), 4);
+  const auto before = function;
+  connect_sides(surface, function);
+  EXPECT_EQ(pieces(surface, function), 2);
+  for (int v = 0; v < surface.vertices(); ++v) EXPECT_TRUE(before[v] <= 0 || function[v] > 0) << v;
+}
+
+TEST(ConnectSides, PiecesAtABorderStay) {
+  const TriangleMesh mesh = shapes::grid(20, 20);
+  const Surface surface = make_surface(mesh);
+  std::vector<float> function;
+  for (int v = 0; v < surface.vertices(); ++v)
+    function.push_back(static_cast<float>(0.1 - std::abs(mesh.position[3 * v] - 0.5)));  // a strip across
+  const auto before = function;
+  ASSERT_EQ(pieces(surface, function), 3);
+  connect_sides(surface, function);
+  EXPECT_EQ(function, before);
 }
 
 // Landmarks on both sides, every tenth with a wrong image: no limb may change sides for it.

@@ -3,8 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <queue>
 
 namespace ga_symmetry {
 namespace {
@@ -41,6 +43,93 @@ std::vector<float> label_pairs(const Landmarks& landmarks, const DistanceFields&
   return label;
 }
 
+template <class Visit>
+void for_each_neighbor(const Surface& surface, int v, const Visit& visit) {
+  for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
+    const int corner = surface.corner_at[i];
+    visit(surface.triangle[next_corner(corner)]);
+    visit(surface.triangle[previous_corner(corner)]);
+  }
+}
+
+// A connected part of the surface where the function has one sign.
+struct Piece {
+  std::vector<int> vertices;
+  double area = 0, change = 0;  // the latter if it went over to the other side
+  bool positive = false, border = false;
+};
+
+struct Pieces {
+  std::vector<Piece> piece;
+  std::vector<int> of;  // per vertex
+};
+
+double change_of(const Surface& surface, const std::vector<float>& function, int v) {
+  return std::abs(function[v]) * surface.vertex_area[v];
+}
+
+Pieces pieces_of(const Surface& surface, const std::vector<float>& function) {
+  std::vector<char> border(surface.vertices(), 0);
+  for (int corner = 0; corner < 3 * surface.triangles(); ++corner)
+    if (surface.opposite[corner] < 0)
+      border[surface.triangle[next_corner(corner)]] = border[surface.triangle[previous_corner(corner)]] = 1;
+  Pieces out;
+  out.of.assign(surface.vertices(), -1);
+  for (int start = 0; start < surface.vertices(); ++start) {
+    if (out.of[start] >= 0) continue;
+    const int number = static_cast<int>(out.piece.size());
+    Piece piece;
+    piece.positive = function[start] > 0;
+    piece.vertices = {start};
+    out.of[start] = number;
+    for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
+      const int v = piece.vertices[k];
+      piece.area += surface.vertex_area[v];
+      piece.change += change_of(surface, function, v);
+      piece.border = piece.border || border[v];
+      for_each_neighbor(surface, v, [&](int w) {
+        if (out.of[w] >= 0 || (function[w] > 0) != piece.positive) return;
+        out.of[w] = number;
+        piece.vertices.push_back(w);
+      });
+    }
+    out.piece.push_back(std::move(piece));
+  }
+  return out;
+}
+
+// The vertices of the other side through which a piece reaches the rest of its own side, if that changes less than to
+// give the piece up. Empty if not.
+std::vector<int> bridge(const Surface& surface, const std::vector<float>& function, const Pieces& pieces, int number) {
+  const Piece& piece = pieces.piece[number];
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  std::map<int, std::pair<double, int>> reached;  // vertex -> change on the way there, vertex before
+  const auto reach = [&](int v, double change, int before) {
+    if (change >= piece.change) return;
+    const auto [at, fresh] = reached.try_emplace(v, change, before);
+    if (!fresh && at->second.first <= change) return;
+    at->second = {change, before};
+    queue.push({change, v});
+  };
+  for (const int v : piece.vertices) reach(v, 0, -1);
+  while (!queue.empty()) {
+    const auto [change, v] = queue.top();
+    queue.pop();
+    if (change > reached[v].first) continue;
+    if (pieces.piece[pieces.of[v]].positive == piece.positive && pieces.of[v] != number) {
+      std::vector<int> way;
+      for (int w = reached[v].second; pieces.of[w] != number; w = reached[w].second) way.push_back(w);
+      return way;
+    }
+    for_each_neighbor(surface, v, [&, at = change, from = v](int w) {
+      const bool own = pieces.piece[pieces.of[w]].positive == piece.positive;
+      reach(w, at + (own ? 0 : change_of(surface, function, w)), from);
+    });
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<float> left_right_function(const Surface& surface, const Landmarks& landmarks, const DistanceFields& from,
@@ -70,6 +159,32 @@ std::vector<int> sides(const Surface& surface, const std::vector<float>& functio
     side[at_a < at_b || (at_a == at_b && a < b) ? a : b] = 0;
   }
   return side;
+}
+
+void connect_sides(const Surface& surface, std::vector<float>& function) {
+  Pieces pieces = pieces_of(surface, function);
+  for (std::size_t rounds = pieces.piece.size(); rounds > 0; --rounds) {
+    int largest[2] = {-1, -1}, smallest = -1;
+    const auto area = [&](int number) { return pieces.piece[number].area; };
+    const int count = static_cast<int>(pieces.piece.size());
+    for (int i = 0; i < count; ++i) {
+      int& side = largest[pieces.piece[i].positive];
+      if (side < 0 || area(i) > area(side)) side = i;
+    }
+    for (int i = 0; i < count; ++i)
+      if (i != largest[0] && i != largest[1] && !pieces.piece[i].border && (smallest < 0 || area(i) < area(smallest)))
+        smallest = i;
+    if (smallest < 0) return;
+    const bool positive = pieces.piece[smallest].positive;
+    std::vector<int> over = bridge(surface, function, pieces, smallest);
+    const bool joins = !over.empty();
+    if (!joins) over = pieces.piece[smallest].vertices;
+    for (const int v : over) {
+      const float size = std::max(std::abs(function[v]), std::numeric_limits<float>::min());
+      function[v] = positive == joins ? size : -size;
+    }
+    pieces = pieces_of(surface, function);
+  }
 }
 
 std::vector<std::vector<SurfacePoint>> zero_set(const Surface& surface, const std::vector<float>& function,

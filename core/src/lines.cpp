@@ -93,7 +93,8 @@ std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, cons
   for (const int v : landmarks.from) landmarks.to.push_back(shape.partners.partner[v]);
   const DistanceFields from = solver.fields(landmarks.from, threads, context),
                        to = solver.fields(landmarks.to, threads, context);
-  const std::vector<float> function = antisymmetric(shape, left_right_function(shape.surface, landmarks, from, to, 0));
+  std::vector<float> function = antisymmetric(shape, left_right_function(shape.surface, landmarks, from, to, 0));
+  connect_sides(shape.surface, function);
   auto lines = zero_set(shape.surface, function, kShortestAxis);
   for (auto& line : lines)
     for (SurfacePoint& point : line)

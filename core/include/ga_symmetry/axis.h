@@ -20,6 +20,12 @@ std::vector<float> left_right_function(const Surface& surface, const Landmarks& 
 /// +1 where the function is positive, -1 where negative, 0 on the axis: of an edge that crosses it the nearer end.
 std::vector<int> sides(const Surface& surface, const std::vector<float>& function);
 
+/// Makes each side of a left-right function one piece. Along its axis a reflection cuts a closed connected surface into
+/// two pieces at most, which it swaps (Weichold 1883); a torus' axis has two closed lines and still leaves two. So a
+/// further piece is noise: it is joined to its side, or goes over to the other side, whichever changes the sign of less
+/// of the function (absolute value times area). Pieces at a border stay: what lies beyond it may have joined them.
+void connect_sides(const Surface& surface, std::vector<float>& function);
+
 /// The function's zero set as polylines on the faces, longest first; a closed one repeats its first point.
 /// @param shortest  polylines of a smaller share of the total length are left out, [0,1]
 std::vector<std::vector<SurfacePoint>> zero_set(const Surface& surface, const std::vector<float>& function,

@@ -21,7 +21,8 @@ std::vector<SymmetricPair> spread_pairs(const TriangleMesh& mesh, const Partners
 
 /// The axis as polylines on the faces, longest first, nothing shorter than a tenth of the whole; a closed one
 /// repeats its first point. Where the distances to evenly spread vertices of the left and to their partners are equal:
-/// a smooth line, though each single partner is off by a little.
+/// a smooth line, though each single partner is off by a little. On a surface without a border it leaves one piece on
+/// each side: one closed line, or as many as the surface has handles, and one more.
 /// @param threads  0 = all cores, [0, 256]; speed only
 /// @throws as spread_pairs; InvalidOption too if there are no sides, as after a rotation
 std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, const Partners& partners, int threads,
