@@ -1,8 +1,7 @@
 // "Intrinsic Symmetry: Find Partners".
-#include <iterator>
-
 #include "filters.h"
 #include "ga_symmetry/export.h"
+#include "ga_symmetry/option_text.h"
 #include "ga_symmetry/symmetry.h"
 #include "layers.h"
 
@@ -12,36 +11,16 @@ namespace {
 // Short lines: the dialog of 2020.09 cuts its last row off where this text is wrapped, and its help after two lines of
 // some 42 letters.
 constexpr const char* info =
-    "Finds every vertex's partner on the other side, in any pose.<br>"
-    "<b>First select four vertices:</b> two on the symmetry axis<br>"
-    "(nose and tail) and a left-right pair (two feet).<br>"
+    "Finds every vertex's partner on the<br>"
+    "other side, in any pose.<br>"
+    "<b>First select four vertices:</b> two on the<br>"
+    "symmetry axis (nose and tail) and a<br>"
+    "left-right pair (two feet).<br>"
     "Attributes: symmetry_partner, _fitness, _side.<br>"
     "Colour: blue is a perfect match, red a poor one.";
 
-// The weights of the joint search's cost share one line of the dialog.
-constexpr double JointOptions::*joint_weights[] = {&JointOptions::distance_weight,    &JointOptions::orientation_weight,
-                                                   &JointOptions::continuity_weight,  &JointOptions::descriptor_weight,
-                                                   &JointOptions::bijectivity_weight, &JointOptions::reference_weight};
-
-QString weights_text(const JointOptions& options) {
-  QStringList items;
-  for (const auto weight : joint_weights) items << QString::number(options.*weight);
-  return items.join(",");
-}
-
-void set_weights(const QString& text, JointOptions& options) {
-  const QStringList items = text.split(',');
-  bool good = items.size() == static_cast<int>(std::size(joint_weights));
-  for (int i = 0; good && i < items.size(); ++i) options.*joint_weights[i] = items[i].toDouble(&good);
-  if (!good)
-    throw InvalidOption("the weights must be six numbers such as " + weights_text({}).toStdString() + ", got " +
-                        text.toStdString());
-}
-
 RichParameterList parameters() {
   const Options defaults;
-  const PairsOptions& pairs = defaults.pairs;
-  const JointOptions& joint = defaults.joint;
   RichParameterList list;
   list.addParam(RichString("references", "", "References",
                            "a0,a1,l,r: axis points and a left-right pair. Or 3,8,12:57,90:4. Empty = selection."));
@@ -66,37 +45,10 @@ RichParameterList parameters() {
                         "1 = the best that is found, 2 = the next best, ... up to 30.");
   add_advanced<RichFloat>(list, "max_fitness", defaults.max_fitness, "Largest fitness",
                           "Vertices above get no partner (-1): try 0.08. 0 = keep all.");
-  add_advanced<RichBool>(list, "local_refinement", defaults.local_refinement, "Local refinement",
-                         "Joint: move all partners of samples to where distances agree best.");
-  add_advanced<RichBool>(list, "noise_filter", defaults.noise_filter, "Noise filter",
-                         "Joint: average over neighbours how far distances are off.");
-  add_advanced<RichFloat>(list, "mutation_probability", joint.mutation_probability, "Mutation probability",
-                          "Per gene (Joint) or pair (Pairs) and generation, 0 to 1.");
-  add_advanced<RichInt>(list, "joint_samples", joint.samples, "Joint: samples",
-                        "Evenly spaced samples that the search works on, 20 to 1000.");
-  add_advanced<RichInt>(list, "joint_sites", joint.sites, "Joint: sites",
-                        "Evenly spaced candidates for their partners, at least as many, up to 5000.");
-  add_advanced<RichInt>(list, "joint_population", joint.population, "Joint: population",
-                        "Maps in competition, 4 to 10000.");
-  add_advanced<RichInt>(list, "joint_generations", joint.max_generations, "Joint: generations", "At most, 0 to 10000.");
-  add_advanced<RichString>(list, "joint_weights", weights_text(joint), "Joint: weights",
-                           "Distance, orientation, continuity, descriptor, bijectivity, reference.");
-  add_advanced<RichEnum>(list, "pairs_error", static_cast<int>(pairs.error), QStringList{"Squared", "Linear"},
-                         "Pairs: fitness",
-                         "The relative error of the distances to the axis points, squared or absolute.");
-  add_advanced<RichInt>(list, "pairs_samples", pairs.samples, "Pairs: samples", "On both sides together, 20 to 20000.");
-  add_advanced<RichEnum>(list, "pairs_sampling", static_cast<int>(pairs.sampling),
-                         QStringList{"Evenly spaced", "Uniform"}, "Pairs: sampling", "How the samples are chosen.");
-  add_advanced<RichInt>(list, "pairs_individuals", pairs.individuals, "Pairs: individuals",
-                        "Pairs in competition per reference vertex, 1 to 100.");
-  add_advanced<RichInt>(list, "pairs_regions", pairs.regions, "Pairs: regions",
-                        "Distance regions per axis point, for the crossover, 2 to 100.");
-  add_advanced<RichFloat>(list, "pairs_outlier_z", pairs.outlier_z, "Pairs: outlier threshold",
-                          "A pair whose Z-error is above is mutated; at least 0.");
-  add_advanced<RichFloat>(list, "pairs_barrier_z", pairs.mutation_barrier_z, "Pairs: mutation barrier",
-                          "A pair whose Z-error is below is kept as it is; at most 0.");
-  add_advanced<RichInt>(list, "pairs_generations", pairs.max_generations, "Pairs: generations",
-                        "At most, 1 to 100000.");
+  add_advanced<RichInt>(list, "joint_samples", defaults.joint.samples, "Samples",
+                        "Joint: evenly spaced, what the search works on; 20 to 1000.");
+  add_advanced<RichString>(list, "advanced", "", "Advanced options",
+                           "Such as joint_sites=400, fitness=linear; ? lists all keys.");
   return list;
 }
 
@@ -112,25 +64,8 @@ Options to_options(const RichParameterList& list) {
   options.proxy = list.getInt("proxy");
   options.rank = list.getInt("rank");
   options.max_fitness = decimal(list.getFloat("max_fitness"));
-  options.local_refinement = list.getBool("local_refinement");
-  options.noise_filter = list.getBool("noise_filter");
-
   options.joint.samples = list.getInt("joint_samples");
-  options.joint.sites = list.getInt("joint_sites");
-  options.joint.population = list.getInt("joint_population");
-  options.joint.max_generations = list.getInt("joint_generations");
-  set_weights(list.getString("joint_weights"), options.joint);
-  options.joint.mutation_probability = decimal(list.getFloat("mutation_probability"));
-
-  options.pairs.error = static_cast<PairError>(list.getEnum("pairs_error"));
-  options.pairs.samples = list.getInt("pairs_samples");
-  options.pairs.sampling = static_cast<Sampling>(list.getEnum("pairs_sampling"));
-  options.pairs.individuals = list.getInt("pairs_individuals");
-  options.pairs.regions = list.getInt("pairs_regions");
-  options.pairs.outlier_z = decimal(list.getFloat("pairs_outlier_z"));
-  options.pairs.mutation_barrier_z = decimal(list.getFloat("pairs_barrier_z"));
-  options.pairs.mutation_probability = options.joint.mutation_probability;
-  options.pairs.max_generations = list.getInt("pairs_generations");
+  set_options(list.getString("advanced").toStdString(), options);
   return options;
 }
 

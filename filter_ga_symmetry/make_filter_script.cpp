@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "filters.h"
+#include "ga_symmetry/option_text.h"
 
 namespace {
 
@@ -90,6 +91,15 @@ QString reference() {
                       parameter.toolTip());
     }
   }
+  out +=
+      "\n## Advanced options of Find Partners\n\n"
+      "The text of `advanced`: items `key=value`, separated by commas or blanks, such as `joint_sites=400,\n"
+      "fitness=linear`. The command line has them as options of nearly the same names.\n\n"
+      "| key | default | meaning |\n| --- | --- | --- |\n";
+  for (const ga_symmetry::OptionKey& key : ga_symmetry::option_keys())
+    out += QString("| `%1` | `%2` | %3 |\n")
+               .arg(QString::fromStdString(key.name), QString::fromStdString(key.value),
+                    QString::fromStdString(key.meaning));
   return out;
 }
 

@@ -230,10 +230,27 @@ case $case in
     serve "$sample"
     expect_refusal "samples.*-1"
     ;;
-  weights)
-    script "references=$refs" joint_weights=1,2,3 export_to=partners.csv
+  advanced)
+    # As the command line's options; the weights and the population change the result, or nothing would be tested.
+    filter "Conditional Vertex Selection" '<Param type="RichString" name="condSelect" value="vi == 0"/>'
     serve "$sample"
-    expect_refusal "weights must be six numbers.*got 1,2,3"
+    expect_success
+    mv out.ply single.ply
+    rm ./*.mlx
+    script "references=$refs" "advanced=joint_population=10, joint_distance_weight=0.5 joint_sites=150" export_to=partners0.csv
+    script "references=$refs" method=1 "advanced=fitness=linear,pairs_mutation=0.05" export_to=partners1.csv
+    script "references=$refs" export_to=partners2.csv
+    serve single.ply
+    expect_success
+    "$tool" find single.ply --refs "$refs" --joint-population 10 --joint-distance-weight 0.5 --joint-sites 150 -o tool0.csv
+    "$tool" find single.ply --refs "$refs" --method pairs --fitness linear --pairs-mutation 0.05 -o tool1.csv
+    for method in 0 1; do cmp partners$method.csv tool$method.csv || fail "the advanced options are not the tool's"; done
+    ! cmp -s partners0.csv partners2.csv || fail "the advanced options change nothing"
+    ;;
+  advanced_wrong)
+    script "references=$refs" "advanced=joint_site=3" export_to=partners.csv
+    serve "$sample"
+    expect_refusal "advanced options must be key=value.* joint_sites, .* pairs_generations, got .joint_site=3"
     ;;
   unwritable)
     script "references=$refs" export_to=nowhere/partners.csv
@@ -253,6 +270,7 @@ case $case in
     # Every end is a vertex of the mesh.
     table out.ply | awk '{ print $1, $2, $3 }' | sort -u > vertices
     table links.ply | awk '{ print $1, $2, $3 }' | sort -u | comm -23 - vertices | grep -q . && fail "a link ends nowhere"
+    grep -q "an axis of 1 lines" log || fail "the axis is not one line: $(grep 'an axis of' log | head -n 1)"
     table axis.ply > axis
     # Points of the true axis: between vertices that are their own partners, or nearly.
     awk 'FILENAME == ARGV[1] && FNR == 2 { n = $1; next }

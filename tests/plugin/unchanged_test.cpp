@@ -110,8 +110,9 @@ class Unchanged : public testing::Test {
   }
 
   Settings quick(Settings more) const {
-    Settings out{{"joint_samples", "30"}, {"joint_sites", "60"},   {"joint_population", "10"},
-                 {"proxy", "1000"},       {"pairs_samples", "60"}, {"pairs_generations", "5"}};
+    Settings out{{"joint_samples", "30"},
+                 {"proxy", "1000"},
+                 {"advanced", "joint_sites=60 joint_population=10 pairs_samples=60 pairs_generations=5"}};
     out.push_back({"export_to", (folder_ / "partners.json").string()});
     out.insert(out.end(), more.begin(), more.end());
     return out;
@@ -182,6 +183,7 @@ TEST_F(Unchanged, Failed) {
   open();
   expect_failure(kFind, quick({{"references", "0,1,2:99999999"}}));
   expect_failure(kFind, quick({{"joint_samples", "-1"}}));
+  expect_failure(kFind, quick({{"advanced", "joint_sites=many"}}));
   expect_failure(kFind, quick({{"references", kReferences}, {"export_to", (folder_ / "no/partners.csv").string()}}));
   expect_failure(kFind, quick({{"references", kReferences}, {"export_to", (folder_ / "partners.xyz").string()}}));
   expect_failure("load_partners_of_intrinsic_symmetry", {{"partners_file", kSamples + "/person_wave.truth"}});
