@@ -41,7 +41,7 @@ vcg::Color4b signed_color(double value, double top) {
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   CMeshO& m = layer.cm;
-  const TriangleMesh mesh = to_triangle_mesh(m);
+  const TriangleMesh mesh = mesh_of(m);
   const Partners partners = stored_partners(layer, mesh);
   AsymmetryOptions options;
   options.measure = static_cast<AsymmetryMeasure>(run.parameters.getEnum("measure"));
@@ -56,6 +56,7 @@ FilterOutputs apply(const FilterRun& run) {
     sum += sizes.back();
   }
   const double top = ramp_top(partners.partner, sizes);
+  compact(m);
   layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   for (std::size_t v = 0; v < values.size(); ++v) {
     m.vert[v].Q() = static_cast<Scalarm>(values[v]);

@@ -74,8 +74,12 @@ References choose_references(const std::string& text, bool automatic, const CMes
   const References given = parse_references(text);
   if (!given.empty()) return given;
   std::vector<int> selected;
-  for (std::size_t i = 0; i < m.vert.size(); ++i)
-    if (m.vert[i].IsS()) selected.push_back(static_cast<int>(i));
+  int index = 0;
+  for (const CVertexO& v : m.vert) {
+    if (v.IsD()) continue;
+    if (v.IsS()) selected.push_back(index);
+    ++index;
+  }
   if (selected.size() == 4)
     return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]});
   if (selected.empty() && automatic) return {};
@@ -113,7 +117,7 @@ FilterOutputs apply(const FilterRun& run) {
   Options options = to_options(run.parameters);
   const std::string path = run.parameters.getSaveFileName("export_to").toLocal8Bit().toStdString();
   if (!path.empty()) check_result_path(path);
-  const TriangleMesh mesh = to_triangle_mesh(m);
+  const TriangleMesh mesh = mesh_of(m);
   options.references = choose_references(run.parameters.getString("references").toStdString(),
                                          run.parameters.getBool("automatic"), m, mesh);
 

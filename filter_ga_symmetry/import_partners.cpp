@@ -29,7 +29,7 @@ FilterOutputs apply(const FilterRun& run) {
         "choose the file to read the partners from with the button beside its name; MeshLab 2020.09 does not take a "
         "name "
         "that is typed");
-  const Partners partners = read_checked_partners(path, to_triangle_mesh(layer.cm));
+  const Partners partners = read_checked_partners(path, mesh_of(layer.cm));
   store_partners(layer, partners);
   const int matched = static_cast<int>(
       std::count_if(partners.partner.begin(), partners.partner.end(), [](int partner) { return partner >= 0; }));

@@ -28,11 +28,31 @@ void set_attribute(CMeshO& m, const char* name, const Value& value) {
 MeshModel& current_layer(const FilterRun& run) {
   MeshModel* layer = run.document.mm();
   if (!layer) throw InvalidMesh("there is no mesh; open one first");
-  Allocator::CompactEveryVector(layer->cm);
-  if (sizeof(Scalarm) == sizeof(float) && layer->cm.vert.size() > (std::size_t{1} << 24))
+  if (sizeof(Scalarm) == sizeof(float) && layer->cm.vn > 1 << 24)
     throw InvalidMesh("a mesh of more than 16777216 vertices has indices that MeshLab's float attributes cannot hold");
   return *layer;
 }
+
+TriangleMesh mesh_of(const CMeshO& m) {
+  TriangleMesh out;
+  out.position.reserve(3 * static_cast<std::size_t>(m.vn));
+  out.triangle.reserve(3 * static_cast<std::size_t>(m.fn));
+  std::vector<int> number;
+  number.reserve(m.vert.size());
+  int vertices = 0;
+  for (const CVertexO& v : m.vert) {
+    number.push_back(vertices);
+    if (v.IsD()) continue;
+    ++vertices;
+    for (int k = 0; k < 3; ++k) out.position.push_back(static_cast<double>(v.cP()[k]));
+  }
+  for (const CFaceO& f : m.face)
+    if (!f.IsD())
+      for (int k = 0; k < 3; ++k) out.triangle.push_back(number[vcg::tri::Index(m, f.cV(k))]);
+  return out;
+}
+
+void compact(CMeshO& m) { Allocator::CompactEveryVector(m); }
 
 Context context_of(const FilterRun& run) {
   Context context;
@@ -48,6 +68,7 @@ ScalarAttribute find_attribute(CMeshO& m, const std::string& name) {
 
 void store_partners(MeshModel& layer, const Partners& p) {
   CMeshO& m = layer.cm;
+  compact(m);
   set_attribute(m, kPartner, [&](std::size_t i) { return p.partner[i]; });
   set_attribute(m, kFitness, [&](std::size_t i) { return p.fitness[i]; });
   set_attribute(m, kSide, [&](std::size_t i) { return p.side[i]; });
@@ -71,8 +92,9 @@ Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh) {
           "or choose the layer that has them");
   Partners out;
   for (std::size_t i = 0; i < m.vert.size(); ++i) {
+    if (m.vert[i].IsD()) continue;
     // Also of a vertex that was added: its attributes are 0.
-    if (vertex[i] != static_cast<Scalarm>(i) || partner[i] != std::floor(partner[i]))
+    if (vertex[i] != static_cast<Scalarm>(out.partner.size()) || partner[i] != std::floor(partner[i]))
       throw InvalidOption(
           "vertices have been removed or added since the partners were found: run \"Intrinsic Symmetry: Find "
           "Partners\" again");

@@ -9,8 +9,14 @@ namespace ga_symmetry {
 using Allocator = vcg::tri::Allocator<CMeshO>;
 using ScalarAttribute = CMeshO::PerVertexAttributeHandle<Scalarm>;
 
-/// The current layer, without deleted elements. @throws InvalidMesh  if there is none
+/// The current layer, as it is. @throws InvalidMesh  if there is none
 MeshModel& current_layer(const FilterRun& run);
+
+/// The layer's mesh without deleted elements: numbered as it is after compact().
+TriangleMesh mesh_of(const CMeshO& m);
+
+/// Removes deleted elements for good. Not before all that may fail is done: a filter that fails changes nothing.
+void compact(CMeshO& m);
 
 /// Passes progress on to MeshLab, and its wish to stop.
 Context context_of(const FilterRun& run);
@@ -18,7 +24,8 @@ Context context_of(const FilterRun& run);
 /// The attribute of that name, or an invalid handle.
 ScalarAttribute find_attribute(CMeshO& m, const std::string& name);
 
-/// Keeps the partners as attributes, the fitness as quality and colour. Fails only for want of memory.
+/// Compacts the mesh and keeps the partners as attributes, the fitness as quality and colour. Fails only for want of
+/// memory.
 void store_partners(MeshModel& layer, const Partners& partners);
 
 /// The partners that the layer keeps. @throws InvalidOption  if there are none, or the mesh has changed since

@@ -28,6 +28,7 @@ RichParameterList parameters() {
 
 template <class Get, class Set>
 void transfer_numbers(CMeshO& m, const TransferPlan& plan, Transfer transfer, const Get& get, const Set& set) {
+  compact(m);
   std::vector<double> values;
   for (std::size_t v = 0; v < m.vert.size(); ++v) values.push_back(get(v));
   values = transferred(values, plan, transfer);
@@ -38,7 +39,7 @@ void transfer_numbers(CMeshO& m, const TransferPlan& plan, Transfer transfer, co
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   CMeshO& m = layer.cm;
-  const Partners partners = stored_partners(layer, to_triangle_mesh(m));
+  const Partners partners = stored_partners(layer, mesh_of(m));
   const auto transfer = static_cast<Transfer>(run.parameters.getEnum("direction"));
   const TransferPlan plan = plan_transfer(partners, transfer);
   switch (run.parameters.getEnum("attribute")) {

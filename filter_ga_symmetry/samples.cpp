@@ -24,7 +24,7 @@ RichParameterList parameters() {
 
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
-  const Surface surface = make_surface(to_triangle_mesh(layer.cm), run.parameters.getBool("largest_component"));
+  const Surface surface = make_surface(mesh_of(layer.cm), run.parameters.getBool("largest_component"));
   run.progress(10, "samples");
   const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), run.parameters.getInt("samples"),
                                                 run.parameters.getInt("threads"), context_of(run));
@@ -32,6 +32,7 @@ FilterOutputs apply(const FilterRun& run) {
 
   const int count = static_cast<int>(samples.vertex.size());
   const auto color = [&](int i) { return vcg::Color4b::Scatter(count, i); };
+  compact(layer.cm);
   CMeshO& points = add_layer(run, layer, "Evenly spaced samples", samples.vertex.size());
   for (int i = 0; i < count; ++i) {
     points.vert[i].P() = layer.cm.vert[surface.mesh_vertex[samples.vertex[i]]].P();

@@ -54,7 +54,7 @@ bool is_closed(const std::vector<SurfacePoint>& line) {
 
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
-  const TriangleMesh mesh = to_triangle_mesh(layer.cm);
+  const TriangleMesh mesh = mesh_of(layer.cm);
   const Partners partners = stored_partners(layer, mesh);
   const int count = run.parameters.getInt("pairs");
   if (count < 0) throw InvalidOption("pairs must be at least 0, got " + std::to_string(count));
@@ -71,6 +71,7 @@ FilterOutputs apply(const FilterRun& run) {
   std::vector<std::vector<SurfacePoint>> axis;
   if (wants_axis) axis = axis_lines(mesh, partners, run.parameters.getInt("threads"), context);
 
+  compact(layer.cm);
   const double top = ramp_top(partners.partner, partners.fitness);
   if (!pairs.empty()) {
     CMeshO& links = add_layer(run, layer, "Symmetric pairs", 2 * pairs.size());

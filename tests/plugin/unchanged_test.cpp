@@ -5,7 +5,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,7 +40,8 @@ std::string bytes(MeshDocument& document) {
     CMeshO& m = layer->cm;
     out += layer->label().toStdString();
     append(out, layer->dataMask());
-    append(out, m.vn), append(out, m.fn), append(out, m.Tr), append(out, m.bbox);
+    append(out, m.vn), append(out, m.fn), append(out, m.vert.size()), append(out, m.face.size()), append(out, m.Tr),
+        append(out, m.bbox);
     for (CVertexO& v : m.vert) {
       append(out, v.P()), append(out, v.N()), append(out, v.Q()), append(out, v.C()), append(out, v.Flags());
     }
@@ -61,9 +64,10 @@ class Unchanged : public testing::Test {
   ~Unchanged() override { fs::remove_all(folder_); }
 
   // A sample with quality, colours, a selection and an attribute of the user's own.
-  void open(int copies = 1) {
+  MeshModel* open(int copies = 1) {
     const ga_symmetry::TriangleMesh mesh = ga_symmetry::read_mesh(kSamples + "/person_wave.off");
-    CMeshO& m = document_.addNewMesh("", "layer")->cm;
+    MeshModel* layer = document_.addNewMesh("", "layer");
+    CMeshO& m = layer->cm;
     for (int copy = 0; copy < copies; ++copy) {
       const int first = static_cast<int>(m.vert.size());
       auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(m, mesh.vertices());
@@ -81,6 +85,14 @@ class Unchanged : public testing::Test {
     auto weight = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<float>(m, "weight");
     for (std::size_t v = 0; v < m.vert.size(); ++v) weight[v] = static_cast<float>(v) / 3;
     vcg::tri::UpdateBounding<CMeshO>::Box(m);
+    vcg::tri::UpdateNormal<CMeshO>::PerVertexNormalizedPerFaceNormalized(m);
+    return layer;
+  }
+
+  // Without compaction.
+  static void delete_first_copy(CMeshO& m) {
+    for (std::size_t f = 0; f < m.face.size() / 2; ++f) vcg::tri::Allocator<CMeshO>::DeleteFace(m, m.face[f]);
+    for (std::size_t v = 0; v < m.vert.size() / 2; ++v) vcg::tri::Allocator<CMeshO>::DeleteVertex(m, m.vert[v]);
   }
 
   using Settings = std::vector<std::pair<const char*, std::string>>;
@@ -197,6 +209,47 @@ TEST_F(Unchanged, OfSeveralComponents) {
   open(2);
   expect_failure(kFind, quick({{"references", kReferences}}));
   expect_failure("generate_evenly_spaced_samples", {});
+}
+
+TEST_F(Unchanged, WithDeletedVertices) {
+  delete_first_copy(open(2)->cm);
+  expect_failure(kFind, quick({{"references", "0,1,2:99999999"}}));
+  expect_failure(kFind, quick({{"references", "0,1,1:1"}}));
+  expect_failure("load_partners_of_intrinsic_symmetry", {{"partners_file", kSamples + "/person_wave.truth"}});
+  for (const char* name : {"generate_polyline_from_intrinsic_symmetry", "transfer_attributes_across_intrinsic_symmetry",
+                           "compute_asymmetry_per_vertex"})
+    expect_failure(name, {});
+  expect_failure("generate_evenly_spaced_samples", {{"samples", "0"}});
+  stop_at_every_stage(kFind, quick({{"references", kReferences}}), true);
+}
+
+// With deleted vertices filters do what they do without them.
+TEST_F(Unchanged, DeletedVerticesMakeNoDifference) {
+  answer = [](int, const char*) { return true; };
+  std::ifstream file(kSamples + "/person_wave.refs");
+  const std::vector<int> references(std::istream_iterator<int>(file), {});
+  ASSERT_EQ(references.size(), 4u);
+  std::string after[2];
+  for (const bool compacted : {false, true}) {
+    MeshModel* layer = open(2);
+    CMeshO& m = layer->cm;
+    delete_first_copy(m);
+    for (CVertexO& v : m.vert) v.ClearS();
+    for (const int v : references) m.vert[m.vert.size() / 2 + v].SetS();
+    for (const char* name : {kFind, "transfer_attributes_across_intrinsic_symmetry", "compute_asymmetry_per_vertex",
+                             "generate_polyline_from_intrinsic_symmetry", "generate_evenly_spaced_samples"}) {
+      if (compacted) vcg::tri::Allocator<CMeshO>::CompactEveryVector(m);
+      ASSERT_TRUE(apply(name, name == kFind ? quick({}) : Settings{})) << filters_.errorMsg().toStdString();
+      EXPECT_EQ(m.vert.size(), static_cast<std::size_t>(m.vn)) << name;
+      // At the end, so that the others keep their numbers.
+      const auto added = vcg::tri::Allocator<CMeshO>::AddVertices(m, 5) - m.vert.begin();
+      for (int k = 0; k < 5; ++k) vcg::tri::Allocator<CMeshO>::DeleteVertex(m, m.vert[added + k]);
+    }
+    vcg::tri::Allocator<CMeshO>::CompactEveryVector(m);
+    after[compacted] = bytes(document_);
+    while (!document_.meshList.isEmpty()) document_.delMesh(document_.meshList.front());
+  }
+  EXPECT_TRUE(after[0] == after[1]);
 }
 
 }  // namespace
