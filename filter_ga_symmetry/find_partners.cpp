@@ -40,7 +40,7 @@ RichParameterList parameters() {
   add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
                         "0 to 256; 0 = all cores. Changes the time, never the result.");
   add_advanced<RichInt>(list, "proxy", defaults.proxy, "Simplify to",
-                        "Vertices. Meshes of over 1.5 times as many are searched simplified; 0 = never.");
+                        "Vertices. Meshes of over 1.3 times as many are searched simplified; 0 = never.");
   add_advanced<RichInt>(list, "rank", defaults.rank, "Symmetry by rank",
                         "1 = the best that is found, 2 = the next best, ... up to 30.");
   add_advanced<RichFloat>(list, "max_fitness", defaults.max_fitness, "Largest fitness",

@@ -222,7 +222,7 @@ void add_find(CLI::App& app, Run& chosen) {
   find.add_option("--threads", options.threads, "0 to 256, 0 = all cores; never changes the result")
       ->capture_default_str();
   find.add_option("--proxy", options.proxy,
-                  "A mesh of more than 1.5 times as many vertices is searched on a simplified one of so many; "
+                  "A mesh of more than 1.3 times as many vertices is searched on a simplified one of so many; "
                   "1000 to 1000000, or off")
       ->transform(CLI::Transformer(std::map<std::string, int>{{"off", 0}}).description(""))
       ->type_name("N")

@@ -46,7 +46,7 @@ constexpr double kShortestAxis = 0.05;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
 constexpr double kDoubtful = 0.2;           // confidence
-constexpr double kWorthProxy = 1.5;         // a surface so many times larger than its proxy is searched on it
+constexpr double kWorthProxy = 1.3;         // a surface so many times larger than its proxy is searched on it
 constexpr double kAdjustCurvature = 0.006;  // as in the matching: first without, as it misleads far off
 constexpr double kMoved2 = 0.01;            // squared distance, in units, at which a partner is plainly not oneself
 

@@ -70,7 +70,7 @@ struct Options {
   References references;
   std::uint64_t seed = 1;  ///< same seed + mesh + build => same bytes, whatever `threads`
   int threads = 0;         ///< 0 = all cores, [0, 256]; speed only, never results
-  int proxy = 6000;  ///< a mesh of more than 1.5 times as many vertices is searched on a simplified one of so many, and
+  int proxy = 3000;  ///< a mesh of more than 1.3 times as many vertices is searched on a simplified one of so many, and
                      ///< the result carried back; [1000, 1000000], 0 = never; method joint only
   int rank = 1;      ///< 1 = the best of the symmetries found, 2 = the next best, ..., [1, 30]; method joint only
   bool local_refinement =
