@@ -26,8 +26,9 @@ FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   const Surface surface = make_surface(mesh_of(layer.cm), run.parameters.getBool("largest_component"));
   run.progress(10, "samples");
-  const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), run.parameters.getInt("samples"),
-                                                run.parameters.getInt("threads"), context_of(run));
+  const Samples samples =
+      evenly_spaced_samples(surface, GeodesicSolver(surface), run.parameters.getInt("samples"),
+                            run.parameters.getInt("threads"), context_of(run).part(0.1, 0.9, "samples"));
   const std::vector<int> patch = sample_patches(samples);
 
   const int count = static_cast<int>(samples.vertex.size());

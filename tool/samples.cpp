@@ -17,9 +17,10 @@ struct Arguments {
 
 void run(const Arguments& a, const Context& context) {
   const bool drawing = wants_drawing(a.output);
-  const TriangleMesh mesh = read_mesh(a.mesh, context);
+  const TriangleMesh mesh = read_mesh(a.mesh, context.part(0, 0.3));
   const Surface surface = make_surface(mesh, false, context);
-  const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), a.count, a.threads, context);
+  const Samples samples =
+      evenly_spaced_samples(surface, GeodesicSolver(surface), a.count, a.threads, context.part(0.3, 1, "samples"));
   const std::vector<int> patch = sample_patches(samples);
   Table table("vertex,patch,sample");
   std::vector<double> quality(static_cast<std::size_t>(mesh.vertices()), -1.0);

@@ -9,8 +9,15 @@ void Context::report(double fraction, const char* stage) const {
   if (progress) progress(fraction, stage);
 }
 
-Context Context::part(double first, double last) const {
-  Context out{nullptr, cancel};
+void Context::advance(double fraction) const {
+  if (cancelled()) throw Cancelled();
+  if (progress && stage) progress(fraction, stage);
+}
+
+Context Context::part(double first, double last) const { return part(first, last, stage); }
+
+Context Context::part(double first, double last, const char* name) const {
+  Context out{nullptr, cancel, name};
   if (progress)
     out.progress = [whole = progress, first, last](double fraction, const char* stage) {
       whole(first + (last - first) * fraction, stage);

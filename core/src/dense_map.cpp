@@ -16,7 +16,8 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
                      const Context& context, const Body& body) {
   constexpr int kBlock = 256;
   const int n = surface.vertices();
-  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int worker) {
+    if (worker == 0) context.advance(static_cast<double>(block) * kBlock / n);  // the calling thread
     if (context.cancelled()) throw Cancelled();
     Matcher matcher(surface, features, weighting);
     for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
@@ -37,12 +38,13 @@ void match(const Surface& surface, const Features& features, const Landmarks& la
     const int c = matcher.descend(start, e);
     if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
   };
-  for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
+  for_each_vertex(surface, features, kFine, threads, context.part(0, 0.6), [&](int v, Matcher& matcher) {
     for (int i : nearest_landmarks(fields, v)) try_from(matcher, v, landmarks.to[i]);
   });
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
-    for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
+    const Context part = context.part(0.6 + 0.2 * pass, 0.8 + 0.2 * pass);
+    for_each_vertex(surface, features, kFine, threads, part, [&](int v, Matcher& matcher) {
       for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
         const int start = before[surface.triangle[next_corner(surface.corner_at[i])]];
         if (start != map.partner[v] && matcher.error(start) < 4 * map.residual[v]) try_from(matcher, v, start);
@@ -150,7 +152,7 @@ DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined,
   DenseMap map;
   const Features features =
       make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), options.reflection);
-  match(surface, features, refined.landmarks, fields, map, threads, context);
+  match(surface, features, refined.landmarks, fields, map, threads, context.part(0, 0.6));
   std::vector<float> wanted;  // per vertex: the features of its partner
   if (options.noise_filter) {
     wanted = smooth_differences(surface, features, map.partner, threads, context);
@@ -158,7 +160,7 @@ DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined,
   }
   map.point.resize(surface.vertices());
   map.uncertainty.resize(surface.vertices());
-  for_each_vertex(surface, features, kFine, threads, context, [&](int v, Matcher& matcher) {
+  for_each_vertex(surface, features, kFine, threads, context.part(0.8, 1), [&](int v, Matcher& matcher) {
     if (options.noise_filter) {
       float error;
       matcher.look_for(features.of(wanted, v));

@@ -487,6 +487,7 @@ DistanceFields GeodesicSolver::fields(const std::vector<int>& sources, int threa
   DistanceFields out(static_cast<Eigen::Index>(sources.size()), impl_->n);
   std::vector<WorkspacePointer> workspace(thread_count(threads));
   parallel_for(static_cast<int>(sources.size()), threads, [&](int i, int worker) {
+    if (worker == 0) context.advance(static_cast<double>(i) / static_cast<double>(sources.size()));  // the caller's
     if (context.cancelled()) throw Cancelled();
     if (!workspace[worker]) workspace[worker] = make_workspace();
     field(sources[i], out.row(i).data(), *workspace[worker]);

@@ -1,6 +1,7 @@
 #include "ga_symmetry/joint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -42,6 +43,14 @@ float squared(float x) { return x * x; }
 float capped_error(const float* a, const float* b, const float* weight, int n) {
   using Row = Eigen::Map<const Eigen::ArrayXf>;
   return ((Row(a, n) - Row(b, n)).square() * Row(weight, n)).min(kCap).sum();
+}
+
+// The same of values that are not known better than within their slack: only what lies between them counts.
+float capped_gap(const float* a, const float* b, const float* slack_a, const float* slack_b, const float* weight,
+                 int n) {
+  using Row = Eigen::Map<const Eigen::ArrayXf>;
+  const auto gap = ((Row(a, n) - Row(b, n)).abs() - Row(slack_a, n) - Row(slack_b, n)).max(0.f);
+  return (gap.square() * Row(weight, n)).min(kCap).sum();
 }
 
 }  // namespace
@@ -170,7 +179,10 @@ CostTerms JointProblem::terms(const SampleMap& map) const {
     const float* image = sites_.distance.row(map[i]).data();
     const float* weight = weight_.row(i).data();
     float sum = 0;
-    for (int j = 0; j < n; ++j) sum += std::min(kCap, squared(row[j] - image[map[j]]) * weight[j]);
+    for (int j = 0; j < n; ++j) {
+      const float slack = sites_.slack.size() > 0 ? sites_.slack(i, j) + sites_.slack(map[i], map[j]) : 0;
+      sum += std::min(kCap, squared(std::max(0.f, std::abs(row[j] - image[map[j]]) - slack)) * weight[j]);
+    }
     distance += sum;
     look_around(map, i, around);
     if (oriented_) orientation += orientation_error(around, map[i]);
@@ -190,15 +202,22 @@ double JointProblem::total(const CostTerms& t) const {
 class JointProblem::Response {
  public:
   Response(const JointProblem& problem, SampleMap& map)
-      : p_(problem), sites_(problem.sites_), map_(map), image_(table()), open_(map.size(), true) {
+      : p_(problem),
+        sites_(problem.sites_),
+        map_(map),
+        image_(tables()[0]),
+        slack_(tables()[1]),
+        open_(map.size(), true) {
     const int n = sites_.samples, count = sites_.count();
     // Distance from site k to the partner of sample j, contiguous in j for the inner loop.
-    image_.resize(static_cast<std::size_t>(n) * count);
-    for (int k = 0; k < count; ++k) {
-      const float* row = sites_.distance.row(k).data();
-      float* out = &image_[static_cast<std::size_t>(k) * n];
-      for (int j = 0; j < n; ++j) out[j] = row[map[j]];
-    }
+    const auto gather = [&](const Table& table, std::vector<float>& to) {
+      to.resize(table.size() > 0 ? static_cast<std::size_t>(n) * count : 0);
+      float* out = to.data();
+      for (Eigen::Index k = 0; k < table.rows(); ++k)
+        for (int j = 0; j < n; ++j) *out++ = table(k, map[j]);
+    };
+    gather(sites_.distance, image_);
+    gather(sites_.slack, slack_);
     const JointOptions& o = problem.options_;  // a pair of samples counts twice in the cost: once for each
     distance_weight_ = static_cast<float>(2 * o.distance_weight) / static_cast<float>(n);
     orientation_weight_ = static_cast<float>(problem.oriented_ ? 2 * o.orientation_weight : 0);
@@ -217,18 +236,16 @@ class JointProblem::Response {
   }
   /// Cost of the gene that is looked at, at site k; anything >= `limit` once it is known to be that.
   float cost(int k, float limit) const {
-    const int i = i_, n = sites_.samples, half = n / 2;
-    const float* to = &image_[static_cast<std::size_t>(k) * n];
-    const float *from = sites_.distance.row(i).data(), *weight = p_.weight_.row(i).data();
+    const int n = sites_.samples, half = n / 2;
     // Samples come from coarse to fine, so that the first half tells most of the wrong sites.
-    float total = p_.unary_(i, k) + distance_weight_ * capped_error(from, to, weight, half);
+    float total = p_.unary_(i_, k) + distance_weight_ * distance_error(k, 0, half);
     if (total >= limit) return total;
-    total += distance_weight_ * capped_error(from + half, to + half, weight + half, n - half);
+    total += distance_weight_ * distance_error(k, half, n - half);
     if (total >= limit) return total;
     if (orientation_weight_ > 0) total += orientation_weight_ * p_.orientation_error(around_, k);
     if (total >= limit) return total;
     return total + continuity_weight_ * p_.continuity_error(around_, k) +
-           bijectivity_weight_ * p_.bijectivity_error(map_, i, k);
+           bijectivity_weight_ * p_.bijectivity_error(map_, i_, k);
   }
 
   /// Gives it the site k.
@@ -236,19 +253,27 @@ class JointProblem::Response {
     map_[i_] = k;
     open_[i_] = true;
     for (int j : sites_.neighbors[i_]) open_[j] = true;
-    for (int j = 0; j < sites_.count(); ++j)
-      image_[static_cast<std::size_t>(j) * sites_.samples + i_] = sites_.distance(j, k);
+    for (std::size_t j = 0, at = i_; at < image_.size(); ++j, at += sites_.samples) image_[at] = sites_.distance(j, k);
+    for (std::size_t j = 0, at = i_; at < slack_.size(); ++j, at += sites_.samples) slack_[at] = sites_.slack(j, k);
   }
 
  private:
-  static std::vector<float>& table() {
-    thread_local std::vector<float> table;  // one per thread: no allocation per individual
-    return table;
+  static std::array<std::vector<float>, 2>& tables() {
+    thread_local std::array<std::vector<float>, 2> tables;  // per thread: no allocation per individual
+    return tables;
   }
+  // Of the gene that is looked at, to `count` samples.
+  float distance_error(int k, int first, int count) const {
+    const std::size_t at = static_cast<std::size_t>(k) * sites_.samples + first;
+    const float *from = &sites_.distance(i_, first), *weight = &p_.weight_(i_, first);
+    if (slack_.empty()) return capped_error(from, &image_[at], weight, count);
+    return capped_gap(from, &image_[at], &sites_.slack(i_, first), &slack_[at], weight, count);
+  }
+
   const JointProblem& p_;
   const Sites& sites_;
   SampleMap& map_;
-  std::vector<float>& image_;
+  std::vector<float>&image_, &slack_;
   int i_ = 0;
   Vicinity around_;
   std::vector<char> open_;
@@ -330,21 +355,27 @@ void JointProblem::recreate(SampleMap& map) const {
   for (int i : lost)
     for (int j : kept) inside[i] = std::min(inside[i], sites_.distance(i, j));
   std::stable_sort(lost.begin(), lost.end(), [&](int a, int b) { return inside[a] < inside[b]; });
-  std::vector<float> row, to, weight;
+  const bool slack = sites_.slack.size() > 0;
+  std::vector<float> row, row_slack, to, to_slack, weight;
   Vicinity around;
   for (int i : lost) {
     const int m = static_cast<int>(kept.size());
     row.resize(m), to.resize(m), weight.resize(m);
     for (int j = 0; j < m; ++j) row[j] = sites_.distance(i, kept[j]), weight[j] = weight_(i, kept[j]);
+    if (slack) {
+      row_slack.resize(m), to_slack.resize(m);
+      for (int j = 0; j < m; ++j) row_slack[j] = sites_.slack(i, kept[j]);
+    }
     look_around(map, i, around);
     float least = kInfinity;
     int best = i;
     for (int k = 0; k < count; ++k) {
       const float* image = sites_.distance.row(k).data();
       for (int j = 0; j < m; ++j) to[j] = image[map[kept[j]]];
-      float total = static_cast<float>(2 * options_.distance_weight) *
-                        capped_error(row.data(), to.data(), weight.data(), m) / static_cast<float>(m) +
-                    unary_(i, k);
+      for (int j = 0; slack && j < m; ++j) to_slack[j] = sites_.slack(k, map[kept[j]]);
+      const float error = slack ? capped_gap(row.data(), to.data(), row_slack.data(), to_slack.data(), weight.data(), m)
+                                : capped_error(row.data(), to.data(), weight.data(), m);
+      float total = static_cast<float>(2 * options_.distance_weight) * error / static_cast<float>(m) + unary_(i, k);
       if (total >= least) continue;
       if (oriented_) total += static_cast<float>(2 * options_.orientation_weight) * orientation_error(around, k);
       if (total >= least) continue;
@@ -526,8 +557,13 @@ Population<SampleMap> seed_population(const JointProblem& problem, int limit, in
   const JointProblem coarse(problem, few);
   const std::vector<std::array<int, 2>> seeds = problem.seeds();
   std::vector<Population<SampleMap>> of_pair(seeds.size());
-  parallel_for(static_cast<int>(seeds.size()), threads, [&](int s, int) {
+  // Tells how far one of the three steps is; `worker` 0 is the calling thread.
+  const auto tell = [&](int step, int done, std::size_t of, int worker) {
+    if (worker == 0) context.report((step + static_cast<double>(done) / static_cast<double>(of)) / 3, "search");
     if (context.cancelled()) throw Cancelled();
+  };
+  parallel_for(static_cast<int>(seeds.size()), threads, [&](int s, int worker) {
+    tell(0, s, seeds.size(), worker);
     Population<SampleMap> turned;
     for (int a = 0; a < kAngles; ++a) {
       SampleMap map = coarse.polar_map(seeds[s][0], seeds[s][1], 2 * 3.14159265358979323846 * a / kAngles);
@@ -542,15 +578,15 @@ Population<SampleMap> seed_population(const JointProblem& problem, int limit, in
     for (auto& individual : population) tried.push_back(std::move(individual));
   sort_by_cost(tried);
   if (tried.size() > kTried) tried.resize(kTried);
-  parallel_for(static_cast<int>(tried.size()), threads, [&](int t, int) {
-    if (context.cancelled()) throw Cancelled();
+  parallel_for(static_cast<int>(tried.size()), threads, [&](int t, int worker) {
+    tell(1, t, tried.size(), worker);
     coarse.best_response(tried[t].genome, kEverywhere, kSweeps);
     tried[t].cost = coarse.score(tried[t].genome);
   });
   sort_by_cost(tried);
   Population<SampleMap> out = distinct(coarse, tried, kDistinctSeeds, limit);
   parallel_for(static_cast<int>(out.size()), threads, [&](int i, int worker) {
-    if (context.cancelled()) throw Cancelled();
+    tell(2, i, out.size(), worker);
     out[i].genome.resize(problem.sites().samples, -1);
     out[i].cost = problem.evaluate(out[i].genome, worker);
     out[i].evaluated = true;
@@ -563,14 +599,15 @@ Population<SampleMap> seed_population(const JointProblem& problem, int limit, in
 
 JointResult search_joint(const JointProblem& problem, const JointOptions& options, Random& random, int threads,
                          const Context& context) {
-  Population<SampleMap> population = seed_population(problem, options.population, threads, context);
+  constexpr double kSeeded = 0.5;  // progress
+  Population<SampleMap> population = seed_population(problem, options.population, threads, context.part(0, kSeeded));
   GeneticOptions genetic;
   genetic.max_generations = options.max_generations;
   genetic.stall_generations = 20;
   genetic.success_threshold = 0;
   genetic.threads = threads;
   const auto tell = [&](const GenerationLog& log) {
-    context.report(0.3 + 0.7 * log.generation / std::max(1, options.max_generations), "search");
+    context.report(kSeeded + (1 - kSeeded) * log.generation / std::max(1, options.max_generations), "search");
   };
   GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context, tell);
   JointResult result;

@@ -16,7 +16,7 @@ void update_fields(const GeodesicSolver& solver, RefinedLandmarks& landmarks, co
                    int threads, const Context& context) {
   std::vector<int> sources;
   for (int i : moved) sources.push_back(landmarks.landmarks.to[i]);
-  const DistanceFields field = solver.fields(sources, threads, context);
+  const DistanceFields field = solver.fields(sources, threads, {nullptr, context.cancel});
   for (std::size_t k = 0; k < moved.size(); ++k) landmarks.to_field.row(moved[k]) = field.row(static_cast<int>(k));
 }
 
@@ -94,6 +94,20 @@ class Adjustment {
         after(i, j) = (at.to_field(j, y[i]) + at.to_field(i, y[j])) / (2 * unit_);
         across(i, j) = fields_(j, y[i]) / unit_;
       }
+    Eigen::MatrixXd slack;  // (i, j): of after - before above the diagonal, of across - its transpose below
+    if (options_.shortcuts && !options_.shortcuts->none()) {
+      const Eigen::MatrixXd slack_before = slacks(fields_, x), slack_across = slacks(fields_, y),
+                            slack_after = slacks(at.to_field, y);
+      before -= (slack_before + slack_before.transpose()) / 2;
+      after -= (slack_after + slack_after.transpose()) / 2;
+      across -= slack_across;
+      slack.resize(count, count);
+      for (int i = 0; i < count; ++i)
+        for (int j = i + 1; j < count; ++j) {
+          slack(i, j) = (slack_before(i, j) + slack_before(j, i) + slack_after(i, j) + slack_after(j, i)) / 2;
+          slack(j, i) = slack_across(i, j) + slack_across(j, i);
+        }
+    }
     const auto weight = [](const Eigen::MatrixXd& d) -> Eigen::MatrixXd {
       return (d.array().square() + kFine.near2).pow(-kFine.power / 2).matrix();
     };
@@ -101,9 +115,13 @@ class Adjustment {
     if (!options_.reflection) weight_across.setZero();
     const Eigen::ArrayXd share = (weight_after + weight_across).rowwise().sum().array().inverse();
     double sum = 0;
+    const auto beyond_slack = [&](double difference, int i, int j) {
+      if (slack.size() == 0) return difference;
+      return difference - std::clamp(difference, -slack(i, j), slack(i, j));
+    };
     const auto add = [&](int i, int j, double difference, double w, double a, double b, double c, double d) {
       sum += w * std::min(kCap, difference * difference);
-      if (!system || difference * difference > kCap) return;
+      if (!system || difference * difference > kCap || (difference == 0 && slack.size() > 0)) return;
       const Eigen::Vector2d gi(a, b), gj(c, d);
       Eigen::MatrixXd& normal = system->normal;
       normal.block<2, 2>(2 * i, 2 * i) += w * gi * gi.transpose();
@@ -121,10 +139,12 @@ class Adjustment {
       for (int j = i + 1; j < count; ++j) {
         const double both = share[i] + share[j];
         const Eigen::Vector2d ij = towards(to, i, j), ji = towards(to, j, i);
-        add(i, j, after(i, j) - before(i, j), both * weight_after(i, j), -ij[0], -ij[1], -ji[0], -ji[1]);
+        add(i, j, beyond_slack(after(i, j) - before(i, j), i, j), both * weight_after(i, j), -ij[0], -ij[1], -ji[0],
+            -ji[1]);
         if (!options_.reflection) continue;
         const Eigen::Vector2d p = towards(from, i, j), q = towards(from, j, i);
-        add(i, j, across(i, j) - across(j, i), both * weight_across(i, j), -p[0], -p[1], q[0], q[1]);
+        add(i, j, beyond_slack(across(i, j) - across(j, i), j, i), both * weight_across(i, j), -p[0], -p[1], q[0],
+            q[1]);
       }
     const double curvature_weight = options_.curvature / kCurvatureFeatures;
     for (int i = 0; curvature_weight > 0 && i < count - options_.fixed; ++i) {
@@ -139,6 +159,20 @@ class Adjustment {
       }
     }
     return sum / count;
+  }
+
+  // (i, j) is that of field j at vertex i.
+  Eigen::MatrixXd slacks(const DistanceFields& fields, const std::vector<int>& vertices) const {
+    const Shortcuts& shortcuts = *options_.shortcuts;
+    Eigen::MatrixXd out(vertices.size(), fields.rows());
+    std::vector<float> entry(shortcuts.points());
+    for (Eigen::Index j = 0; j < fields.rows(); ++j) {
+      const float* field = fields.row(j).data();
+      shortcuts.enter(field, entry.data());
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+        out(static_cast<Eigen::Index>(i), j) = shortcuts.slack(field, entry.data(), vertices[i]) / unit_;
+    }
+    return out;
   }
 
   const Surface& surface_;
@@ -159,7 +193,8 @@ RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& 
   std::vector<int>& to = out.landmarks.to;
   const int movable = static_cast<int>(to.size()) - options.fixed;
   for (int round = 0; round < options.rounds; ++round) {
-    const Features features = make_features(fields, out.to_field, curvature, unit, options.reflection);
+    const Features features =
+        make_features(fields, out.to_field, curvature, unit, options.reflection, options.shortcuts);
     Matcher matcher(surface, features, kCoarse);
     std::vector<int> moved;
     for (int i = 0; i < movable; ++i) {
@@ -186,9 +221,10 @@ RefinedLandmarks adjust_landmarks(const Surface& surface, const GeodesicSolver& 
   bool fresh = true;
   Features features;
   for (int step = 0; step < options.steps && damping <= kMostDamping; ++step) {
-    if (context.cancelled()) throw Cancelled();
+    context.advance(static_cast<double>(step) / options.steps);
     if (fresh) {
-      features = make_features(fields, out.to_field, curvature, static_cast<float>(surface.unit()), options.reflection);
+      features = make_features(fields, out.to_field, curvature, static_cast<float>(surface.unit()), options.reflection,
+                               options.shortcuts);
       adjustment.linearize(out, threads);
     }
     RefinedLandmarks next = out;
@@ -209,9 +245,10 @@ double landmark_stress(const Surface& surface, const RefinedLandmarks& refined, 
 }
 
 Probes match_probes(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                    const CurvatureFeatures& curvature, const std::vector<int>& vertices, bool reflection) {
-  const Features features =
-      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), reflection);
+                    const CurvatureFeatures& curvature, const std::vector<int>& vertices,
+                    const RefineOptions& options) {
+  const Features features = make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()),
+                                          options.reflection, options.shortcuts);
   Matcher matcher(surface, features, kFine);
   Probes out;
   for (int v : vertices) {

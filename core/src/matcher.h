@@ -8,6 +8,7 @@
 
 #include "ga_symmetry/curvature.h"
 #include "ga_symmetry/geodesics.h"
+#include "ga_symmetry/shortcuts.h"
 #include "ga_symmetry/surface.h"
 
 namespace ga_symmetry {
@@ -25,14 +26,30 @@ constexpr Weighting kCoarse{0.02f, 2.f, 0.012f}, kFine{0.005f, 3.f, 0.003f};
 struct Features {
   int distances = 0;  // that many come first, then the curvature
   int dimension = 0;
-  std::vector<float> source, target;  // n x dimension: d(v, from) against d(c, to)
+  std::vector<float> source, target;              // n x dimension: d(v, from) against d(c, to)
+  std::vector<float> source_slack, target_slack;  // how much they may differ from that; empty = not at all
   const float* of(const std::vector<float>& data, int v) const {
     return &data[static_cast<std::size_t>(v) * dimension];
   }
 };
 
+// Where there are shortcuts, distances are moved to the middle of what they may be.
+inline void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcuts, float unit, int first,
+                   std::vector<float>& middle, std::vector<float>& slack) {
+  slack.resize(middle.size(), 0);
+  std::vector<float> entry(shortcuts.points());
+  for (Eigen::Index i = 0; i < fields.rows(); ++i) {
+    shortcuts.enter(fields.row(i).data(), entry.data());
+    for (int v = 0; v < static_cast<int>(fields.cols()); ++v) {
+      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + first + i;
+      slack[at] = shortcuts.slack(fields.row(i).data(), entry.data(), v) / unit;
+      middle[at] -= slack[at];
+    }
+  }
+}
+
 inline Features make_features(const DistanceFields& from, const DistanceFields& to, const CurvatureFeatures& curvature,
-                              float unit, bool both_ways) {
+                              float unit, bool both_ways, const Shortcuts* shortcuts = nullptr) {
   const int landmarks = static_cast<int>(from.rows()), n = static_cast<int>(from.cols());
   Features f;
   f.distances = (both_ways ? 2 : 1) * landmarks;
@@ -50,6 +67,14 @@ inline Features make_features(const DistanceFields& from, const DistanceFields& 
         source[i] = a, target[i] = b;
         if (both_ways) source[landmarks + i] = b, target[landmarks + i] = a;
       }
+  if (shortcuts && !shortcuts->none()) {
+    loosen(f, from, *shortcuts, unit, 0, f.source, f.source_slack);
+    loosen(f, to, *shortcuts, unit, 0, f.target, f.target_slack);
+    if (both_ways) {
+      loosen(f, to, *shortcuts, unit, landmarks, f.source, f.source_slack);
+      loosen(f, from, *shortcuts, unit, landmarks, f.target, f.target_slack);
+    }
+  }
   for (int v = 0; v < n; ++v)
     for (int k = 0; k < kCurvatureFeatures; ++k) {
       const std::size_t at = static_cast<std::size_t>(v) * f.dimension + f.distances + k;
@@ -66,10 +91,14 @@ class Matcher {
   }
 
   /// Look for the partner of a vertex.
-  void look_at(int v) { look_for(features_.of(features_.source, v)); }
+  void look_at(int v) {
+    look_for(features_.of(features_.source, v));
+    if (!features_.source_slack.empty()) slack_ = features_.of(features_.source_slack, v);
+  }
   /// Look for the place with these features. @param wanted  of Features::dimension; used until the next call
   void look_for(const float* wanted) {
     source_ = wanted;
+    slack_ = nullptr;
     float sum = 0;
     for (int i = 0; i < features_.distances; ++i) {
       const float x = source_[i] * source_[i] + weighting_.near2;
@@ -80,7 +109,11 @@ class Matcher {
   float error(int c) const {
     using Row = Eigen::Map<const Eigen::ArrayXf>;
     const int d = features_.dimension;
-    return ((Row(source_, d) - Row(features_.of(features_.target, c), d)).square() * Row(weight_.data(), d)).sum();
+    const auto difference = Row(source_, d) - Row(features_.of(features_.target, c), d);
+    const Row weight(weight_.data(), d);
+    if (!slack_) return (difference.square() * weight).sum();
+    const auto slack = Row(slack_, d) + Row(features_.of(features_.target_slack, c), d);
+    return ((difference.abs() - slack).max(0.f).square() * weight).sum();
   }
   /// Walks downhill over edges. @return the local minimum
   int descend(int c, float& least) {
@@ -105,7 +138,7 @@ class Matcher {
   const Surface& surface_;
   const Features& features_;
   const Weighting weighting_;
-  const float* source_ = nullptr;
+  const float *source_ = nullptr, *slack_ = nullptr;
   std::vector<float> weight_;
 };
 

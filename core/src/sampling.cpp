@@ -49,13 +49,14 @@ Samples evenly_spaced_samples(const Surface& surface, const GeodesicSolver& solv
   int vertex = start_vertex(surface, solver, nearest.data(), *workspace);
   // Each depends on the one before, but only as far as it is the nearest to anything: the whole fields come afterwards,
   // side by side.
+  const Context choice = context.part(0, 0.3);
   while (out.vertex.push_back(vertex), static_cast<int>(out.vertex.size()) < count) {
-    if (context.cancelled()) throw Cancelled();
+    choice.advance(static_cast<double>(out.vertex.size()) / count);
     vertex = index_of_largest(nearest);
     solver.field_within(vertex, nearest[vertex], near.data(), reached, *workspace);
     for (int v : reached) nearest[v] = std::min(nearest[v], near[v]);
   }
-  out.distance = solver.fields(out.vertex, threads, context);
+  out.distance = solver.fields(out.vertex, threads, context.part(0.3, 1));
   return out;
 }
 

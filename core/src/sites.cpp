@@ -92,16 +92,32 @@ std::vector<int> extremal_samples(const Sites& sites) {
   return tips;
 }
 
+Table slacks(const Samples& spaced, const Shortcuts& shortcuts) {
+  const int count = static_cast<int>(spaced.vertex.size());
+  Table out(count, count);
+  std::vector<float> entry(shortcuts.points());
+  for (int i = 0; i < count; ++i) {
+    const float* field = spaced.distance.row(i).data();
+    shortcuts.enter(field, entry.data());
+    for (int j = 0; j < count; ++j) out(i, j) = shortcuts.slack(field, entry.data(), spaced.vertex[j]);
+  }
+  return (out + out.transpose()) / 2;
+}
+
 }  // namespace
 
 Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
-                 int threads, const Context& context) {
+                 int threads, const Shortcuts& shortcuts, const Context& context) {
   Sites s;
   const int count = std::min(sites, surface.vertices());
   s.samples = std::min(samples, count);
   Samples spaced = evenly_spaced_samples(surface, solver, count, threads, context);
   const float unit = static_cast<float>(surface.unit());
   s.distance = symmetric_distances(spaced) / unit;
+  if (!shortcuts.none()) {
+    s.slack = slacks(spaced, shortcuts) / unit;
+    s.distance -= s.slack;
+  }
   s.vertex = std::move(spaced.vertex);
   s.field = std::move(spaced.distance);
   std::tie(s.cosine, s.sine) = directions(surface, s.vertex, s.field, threads);
@@ -117,6 +133,7 @@ Sites coarsened(const Sites& fine, int samples, int sites) {
   s.samples = std::min({samples, fine.samples, count});
   s.vertex.assign(fine.vertex.begin(), fine.vertex.begin() + count);
   s.distance = fine.distance.topLeftCorner(count, count);
+  if (fine.slack.size() > 0) s.slack = fine.slack.topLeftCorner(count, count);
   s.cosine = fine.cosine.topLeftCorner(count, count);
   s.sine = fine.sine.topLeftCorner(count, count);
   relate(s, static_cast<int>(fine.neighbors[0].size()));

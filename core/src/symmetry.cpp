@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +18,7 @@
 #include "ga_symmetry/pairs.h"
 #include "ga_symmetry/parallel.h"
 #include "ga_symmetry/proxy.h"
+#include "ga_symmetry/shortcuts.h"
 #include "ga_symmetry/sites.h"
 #include "ga_symmetry/surface.h"
 
@@ -281,6 +283,7 @@ struct Candidate {
 
 // Everything that is known of a surface before its partners: the survivors of the search, and what ranks them.
 struct Survey {
+  std::unique_ptr<Shortcuts> shortcuts;  // a survey may be moved, they may not
   Sites sites;
   std::vector<int> nearest_site;  // per vertex
   std::vector<Anchor> anchors;
@@ -308,8 +311,7 @@ double disagreement(const Surface& surface, const Survey& survey, const RefinedL
   constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
   constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.75;
   const Sites& sites = survey.sites;
-  const Probes probes =
-      match_probes(surface, landmarks, survey.from, survey.curvature, sites.vertex, survey.refine.reflection);
+  const Probes probes = match_probes(surface, landmarks, survey.from, survey.curvature, sites.vertex, survey.refine);
   double error = 0, moved = 0, unlike = 0;
   for (int k = 0; k < sites.count(); ++k) {
     error += std::min(kCap, probes.error[k]);
@@ -350,6 +352,7 @@ std::vector<Candidate> rank_survivors(const Surface& surface, const GeodesicSolv
   survivors.resize(std::min<std::size_t>(count, survivors.size()));
   std::vector<Candidate> refined, out;
   for (const Survivor& s : survivors) {
+    context.advance(static_cast<double>(refined.size()) / static_cast<double>(survivors.size()));
     Candidate c;
     c.refined = make_landmarks(survey.sites, *s.map, survey.anchors, images);
     c.order = survey.refine.reflection ? 2 : order_of(survey.sites, *s.map);
@@ -375,8 +378,9 @@ Survey survey_symmetries(const Surface& surface, const GeodesicSolver& solver, H
                          const Context& context, StageClock& clock) {
   Survey out;
   context.report(0.02, "distances");
-  out.sites =
-      make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads, context);
+  out.shortcuts = std::make_unique<Shortcuts>(surface, solver, options.threads, context.part(0.02, 0.1, "distances"));
+  out.sites = make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads,
+                         *out.shortcuts, context.part(surface.closed ? 0.02 : 0.1, 0.4, "distances"));
   clock.stage_done("distances");
   context.report(0.4, "search");
   const Sites& sites = out.sites;
@@ -394,9 +398,11 @@ Survey survey_symmetries(const Surface& surface, const GeodesicSolver& solver, H
   out.from.topRows(sites.samples) = sites.field.topRows(sites.samples);
   out.from.bottomRows(anchors) = anchor_fields(solver, out.anchors, &Anchor::vertex, options.threads);
   out.refine.fixed = anchors;
+  out.refine.shortcuts = out.shortcuts.get();
   out.refine.reflection = options.symmetry == SymmetryKind::reflection;
   out.curvature = curvature_features(surface, diffusion);
-  out.ranking = rank_survivors(surface, solver, out, search.maps, count, options.threads, context);
+  out.ranking =
+      rank_survivors(surface, solver, out, search.maps, count, options.threads, context.part(0.65, 0.7, "refinement"));
   return out;
 }
 
@@ -424,19 +430,21 @@ Found find_jointly(const Surface& surface, const References& references, const O
   RefinedLandmarks refined = std::move(survey.ranking[options.rank - 1].refined);
   const bool reflection = survey.refine.reflection;
   const DistanceFields& from = survey.from;
-  if (options.local_refinement)
-    for (double weight : {0.0, kAdjustCurvature}) {
-      survey.refine.curvature = weight;
-      refined = adjust_landmarks(surface, solver, std::move(refined), from, survey.curvature, survey.refine,
-                                 options.threads, context);
-    }
+  if (options.local_refinement) {
+    refined = adjust_landmarks(surface, solver, std::move(refined), from, survey.curvature, survey.refine,
+                               options.threads, context.part(0.7, 0.75, "refinement"));
+    survey.refine.curvature = kAdjustCurvature;
+    refined = adjust_landmarks(surface, solver, std::move(refined), from, survey.curvature, survey.refine,
+                               options.threads, context.part(0.75, 0.8, "refinement"));
+  }
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");
   DenseMapOptions dense;
   dense.reflection = reflection;
   dense.noise_filter = options.noise_filter;
-  DenseMap map = make_dense_map(surface, refined, from, survey.curvature, dense, options.threads, context);
+  DenseMap map = make_dense_map(surface, refined, from, survey.curvature, dense, options.threads,
+                                context.part(0.8, 0.95, "dense map"));
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");

@@ -56,7 +56,7 @@ class GeodesicSolver {
   /// @throws InvalidOption  also if there is no source
   void nearest(const std::vector<int>& sources, float* distance, int* label, Workspace& workspace) const;
 
-  /// One field per source, on `threads` threads (0 = all cores). @throws InvalidOption, Cancelled
+  /// One field per source, on `threads` threads (0 = all cores); advances the context. @throws InvalidOption, Cancelled
   DistanceFields fields(const std::vector<int>& sources, int threads, const Context& context = {}) const;
 
  private:

@@ -5,6 +5,7 @@
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/curvature.h"
 #include "ga_symmetry/geodesics.h"
+#include "ga_symmetry/shortcuts.h"
 #include "ga_symmetry/surface.h"
 
 namespace ga_symmetry {
@@ -26,6 +27,7 @@ struct RefineOptions {
   double curvature = 0;    ///< its weight in adjust_landmarks, >= 0
   int fixed = 0;           ///< that many landmarks at the end are exact and stay (the user's references)
   bool reflection = true;  ///< a reflection also takes `to` to `from`, and mirrors directions
+  const Shortcuts* shortcuts = nullptr;  ///< through what is missing; null = nothing is
 };
 
 /// Moves the image of each landmark to the vertex whose distances to the other images are most like the landmark's own
@@ -60,7 +62,8 @@ struct Probes {
   std::vector<float> error;  ///< mean squared, in units^2
 };
 /// @param vertices  to find the partners of
+/// @param options   `reflection` and `shortcuts` of them
 Probes match_probes(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                    const CurvatureFeatures& curvature, const std::vector<int>& vertices, bool reflection);
+                    const CurvatureFeatures& curvature, const std::vector<int>& vertices, const RefineOptions& options);
 
 }  // namespace ga_symmetry

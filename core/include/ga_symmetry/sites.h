@@ -5,6 +5,7 @@
 
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/sampling.h"
+#include "ga_symmetry/shortcuts.h"
 #include "ga_symmetry/surface.h"
 #include "ga_symmetry/tangent_plane.h"
 
@@ -16,7 +17,8 @@ struct Sites {
   int samples = 0;
   std::vector<int> vertex;  ///< per site
   DistanceFields field;     ///< sites x vertices, unit of the surface
-  Table distance;           ///< sites x sites, symmetric
+  Table distance;           ///< sites x sites, symmetric; where parts are missing, the middle of what it may be
+  Table slack;              ///< sites x sites: how much the distance may differ from that; empty = nowhere
   Table cosine, sine;       ///< sites x sites: direction at the row's site towards the column's, in its tangent plane
   Table descriptor;         ///< sites x features, each scaled to standard deviation 1
   std::vector<float> centricity;            ///< per site: average geodesic distance to the surface
@@ -32,7 +34,7 @@ struct Sites {
 /// @throws Cancelled
 /// Extremal points of the average geodesic distance: Kim et al. 2010.
 Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
-                 int threads, const Context& context = {});
+                 int threads, const Shortcuts& shortcuts = {}, const Context& context = {});
 
 /// The first of the sites alone, with their distances and directions but without fields, descriptors and tips.
 Sites coarsened(const Sites& fine, int samples, int sites);
