@@ -51,7 +51,7 @@ inline std::string as_file(const std::string& ending, const std::string& bytes) 
     if (!::mkdtemp(name)) std::abort();
     return std::string(name);
   }();
-  const std::string path = folder + "/input" + ending;
+  std::string path = folder + "/input" + ending;
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }

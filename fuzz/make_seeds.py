@@ -70,6 +70,10 @@ seed("partners", "truth", "\x03" + "".join(f"{i} {24 - i}\n" for i in range(25))
 for i, text in enumerate(("", "12,40,7,9", "12,40,7:9,3:5", " 3 , 8 ", "1,2,3,4,5,6", "2147483648", "1:1", "1,1", "-1,2")):
     seed("references", str(i), text)
 
+for i, text in enumerate(("", "joint_sites=400, fitness=linear", "noise_filter=true\tpairs_barrier=-1.96", "?", "joint_sites=",
+                          "joint_ruin=1e999", "joint_sites=1 joint_sites=2", "joint_mutation=nan")):
+    seed("option_text", str(i), text)
+
 seed("options", "defaults", bytes(40))
 seed("options", "pairs", bytes([1, 0]) + bytes(10 + 12) + bytes([2]) + struct.pack("<2i", 0, 39) + bytes([1]) + struct.pack("<2i", 10, 11))
 seed("options", "all", bytes([0, 1]) + b"".join(b"\x01" + struct.pack("<i", x) for x in (2, 2000, 50, 4, 5, 9, 30, 60, 8, 2))
