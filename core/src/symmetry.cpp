@@ -565,6 +565,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
     clock.stage_done("all vertices");
   }
   context.report(0.95, "axis");
+  if (!found.left.empty()) connect_sides(surface, found.left);
   if (found.side.empty())
     found.side = found.left.empty() ? std::vector<int>(surface.vertices(), 0) : sides(surface, found.left);
   if (!found.left.empty()) found.axis = zero_set(surface, found.left, kShortestAxis);
