@@ -150,8 +150,8 @@ DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined,
                         const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
                         const Context& context) {
   DenseMap map;
-  const Features features =
-      make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()), options.reflection);
+  const Features features = make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()),
+                                          options.reflection, nullptr, threads);
   match(surface, features, refined.landmarks, fields, map, threads, context.part(0, 0.6));
   std::vector<float> wanted;  // per vertex: the features of its partner
   if (options.noise_filter) {

@@ -194,7 +194,7 @@ RefinedLandmarks refine_landmarks(const Surface& surface, const GeodesicSolver& 
   const int movable = static_cast<int>(to.size()) - options.fixed;
   for (int round = 0; round < options.rounds; ++round) {
     const Features features =
-        make_features(fields, out.to_field, curvature, unit, options.reflection, options.shortcuts);
+        make_features(fields, out.to_field, curvature, unit, options.reflection, options.shortcuts, threads);
     Matcher matcher(surface, features, kCoarse);
     std::vector<int> moved;
     for (int i = 0; i < movable; ++i) {
@@ -215,6 +215,7 @@ RefinedLandmarks adjust_landmarks(const Surface& surface, const GeodesicSolver& 
                                   const DistanceFields& fields, const CurvatureFeatures& curvature,
                                   const RefineOptions& options, int threads, const Context& context) {
   constexpr double kLeastDamping = 0.02, kMostDamping = 2;
+  constexpr double kWorthwhile = 0.01;  // of the stress: a step that lowers it by less is the last
   RefinedLandmarks out = std::move(start);
   Adjustment adjustment(surface, fields, curvature, options);
   double stress = adjustment.stress(out), damping = kLeastDamping;
@@ -224,7 +225,7 @@ RefinedLandmarks adjust_landmarks(const Surface& surface, const GeodesicSolver& 
     context.advance(static_cast<double>(step) / options.steps);
     if (fresh) {
       features = make_features(fields, out.to_field, curvature, static_cast<float>(surface.unit()), options.reflection,
-                               options.shortcuts);
+                               options.shortcuts, threads);
       adjustment.linearize(out, threads);
     }
     RefinedLandmarks next = out;
@@ -233,7 +234,9 @@ RefinedLandmarks adjust_landmarks(const Surface& surface, const GeodesicSolver& 
     update_fields(solver, next, moved, threads, context);
     const double now = adjustment.stress(next);
     fresh = now < stress;
+    const bool last = fresh && stress - now < kWorthwhile * stress;
     if (fresh) stress = now, out = std::move(next);
+    if (last) break;
     damping = fresh ? std::max(kLeastDamping, damping / 2) : 4 * damping;
   }
   return out;
@@ -248,7 +251,7 @@ Probes match_probes(const Surface& surface, const RefinedLandmarks& refined, con
                     const CurvatureFeatures& curvature, const std::vector<int>& vertices,
                     const RefineOptions& options) {
   const Features features = make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()),
-                                          options.reflection, options.shortcuts);
+                                          options.reflection, options.shortcuts, 1);  // callers run side by side
   Matcher matcher(surface, features, kFine);
   Probes out;
   for (int v : vertices) {

@@ -8,6 +8,7 @@
 
 #include "ga_symmetry/curvature.h"
 #include "ga_symmetry/geodesics.h"
+#include "ga_symmetry/parallel.h"
 #include "ga_symmetry/shortcuts.h"
 #include "ga_symmetry/surface.h"
 
@@ -49,7 +50,7 @@ inline void loosen(Features& f, const DistanceFields& fields, const Shortcuts& s
 }
 
 inline Features make_features(const DistanceFields& from, const DistanceFields& to, const CurvatureFeatures& curvature,
-                              float unit, bool both_ways, const Shortcuts* shortcuts = nullptr) {
+                              float unit, bool both_ways, const Shortcuts* shortcuts, int threads) {
   const int landmarks = static_cast<int>(from.rows()), n = static_cast<int>(from.cols());
   Features f;
   f.distances = (both_ways ? 2 : 1) * landmarks;
@@ -58,15 +59,17 @@ inline Features make_features(const DistanceFields& from, const DistanceFields& 
   f.target.resize(f.source.size());
   const float scale = 1 / unit;
   constexpr int kBlock = 64;  // transposed in blocks that fit the cache
-  for (int v0 = 0; v0 < n; v0 += kBlock)
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+    const int begin = block * kBlock, end = std::min(n, begin + kBlock);
     for (int i = 0; i < landmarks; ++i)
-      for (int v = v0; v < std::min(n, v0 + kBlock); ++v) {
+      for (int v = begin; v < end; ++v) {
         float* source = &f.source[static_cast<std::size_t>(v) * f.dimension];
         float* target = &f.target[static_cast<std::size_t>(v) * f.dimension];
         const float a = from(i, v) * scale, b = to(i, v) * scale;
         source[i] = a, target[i] = b;
         if (both_ways) source[landmarks + i] = b, target[landmarks + i] = a;
       }
+  });
   if (shortcuts && !shortcuts->none()) {
     loosen(f, from, *shortcuts, unit, 0, f.source, f.source_slack);
     loosen(f, to, *shortcuts, unit, 0, f.target, f.target_slack);
