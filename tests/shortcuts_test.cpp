@@ -78,10 +78,14 @@ TEST(Shortcuts, TheTrueDistanceIsWithinTheSlack) {
       EXPECT_GE(truth, length - 2 * slack - 0.16) << a << " " << v;  // the points are so far apart
       // Both are nearer to each other than to the rim: nothing is in doubt.
       const auto to_rim = [&](int w) { return std::acos(mesh.position[3 * s.mesh_vertex[w] + 2]) - std::acos(height); };
-      if (length < to_rim(a) + to_rim(v) - 0.1) EXPECT_EQ(slack, 0);
+      if (length < to_rim(a) + to_rim(v) - 0.1) {
+        EXPECT_EQ(slack, 0);
+      }
       ++(slack > 0 ? unsure : sure);
       // Around the hole, where the sphere would have been shorter, there is doubt.
-      if (length > truth + 0.3) EXPECT_GT(slack, 0.07);
+      if (length > truth + 0.3) {
+        EXPECT_GT(slack, 0.07);
+      }
     }
   }
   EXPECT_GT(sure, 1000);
