@@ -283,7 +283,7 @@ struct Candidate {
 
 // Everything that is known of a surface before its partners: the survivors of the search, and what ranks them.
 struct Survey {
-  std::unique_ptr<Shortcuts> shortcuts;  // a survey may be moved, they may not
+  std::unique_ptr<Shortcuts> shortcuts;  // `refine` points to them, also when a survey is moved
   Sites sites;
   std::vector<int> nearest_site;  // per vertex
   std::vector<Anchor> anchors;
