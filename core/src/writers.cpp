@@ -188,7 +188,10 @@ struct PlyTypes : vcg::UsedTypes<vcg::Use<PlyVertex>::AsVertexType, vcg::Use<Ply
 class PlyVertex : public vcg::Vertex<PlyTypes, vcg::vertex::Coord3d, vcg::vertex::Qualityd, vcg::vertex::Color4b,
                                      vcg::vertex::BitFlags> {};
 class PlyFace : public vcg::Face<PlyTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
-class PlyMesh : public vcg::tri::TriMesh<std::vector<PlyVertex>, std::vector<PlyFace>> {};
+class PlyMesh : public vcg::tri::TriMesh<std::vector<PlyVertex>, std::vector<PlyFace>> {
+ public:
+  ~PlyMesh() { ClearAttributes(); }  // the base class does not
+};
 
 // float, because MeshLab's own attributes are.
 template <class Value>
@@ -241,8 +244,6 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
   stop_at(0, context);
   using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
   const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
-  for (const std::string& name : info.VertAttrNameVec)  // a mesh does not free its attributes
-    vcg::tri::Allocator<PlyMesh>::DeletePerVertexAttribute(out, name);
   if (error) fail(path, Exporter::ErrorMsg(error));
   if (!is_whole(file.temporary(), mesh)) fail(path, "it could not be written whole (is the disk full?)");
 }
