@@ -301,6 +301,8 @@ interrupt() {
   "$tool" "$@" >out 2>err &
   run=$!
   sleep "$after"
+  # What a script starts in the background ignores the signal until it catches it.
+  while kill -0 $run 2>/dev/null && ! ((0x$(awk '/^SigCgt/ { print $2 }' /proc/$run/status) & 2)); do sleep 0.01; done
   kill -INT $run
   for ((i = 0; i < 200; ++i)); do
     kill -0 $run 2>/dev/null || break
