@@ -20,14 +20,14 @@ constexpr float kReturn2 = 0.04f;  // squared distance at which a partner's part
 constexpr int kAngles = 24;        // directions tried per seed
 // Seeds are improved over few samples first, which costs a fraction.
 constexpr int kCoarseSamples = 60;
-constexpr std::size_t kSeedPairs = 60;   // at least; pairs of tips may be more
+constexpr std::size_t kSeedPairs = 120;  // at least; pairs of tips may be more
 constexpr int kSeedsPerPair = 6;         // distinct maps kept per seed pair
-constexpr std::size_t kTried = 160;      // that many of the best maps of all pairs are improved
+constexpr int kTried = 160;              // that many of the best distinct maps of all pairs are improved
 constexpr int kRegions = 5;              // of distance, as in the paper
 constexpr int kSweeps = 6;               // of best responses, at most
 constexpr float kLocal = 0.25f;          // radius in which a child's genes look for better sites
-constexpr double kDistinctTurns = 0.1;   // maps of one pair closer than this are one
-constexpr double kDistinctSeeds = 0.08;  // and of all pairs, once improved
+constexpr double kDistinctTurns = 0.1;   // maps closer than this are one, before they are improved
+constexpr double kDistinctSeeds = 0.08;  // and once they are
 constexpr double kSame = 0.02;           // maps closer than this are one
 constexpr double kDistinct = 0.1;        // maps farther apart than this are different symmetries
 constexpr double kMoved2 = 0.02;         // squared distance at which a partner is plainly not oneself
@@ -577,7 +577,7 @@ Population<SampleMap> seed_population(const JointProblem& problem, int limit, in
   for (auto& population : of_pair)
     for (auto& individual : population) tried.push_back(std::move(individual));
   sort_by_cost(tried);
-  if (tried.size() > kTried) tried.resize(kTried);
+  tried = distinct(coarse, tried, kDistinctTurns, kTried);
   parallel_for(static_cast<int>(tried.size()), threads, [&](int t, int worker) {
     tell(1, t, tried.size(), worker);
     coarse.best_response(tried[t].genome, kEverywhere, kSweeps);
