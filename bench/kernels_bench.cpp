@@ -24,7 +24,7 @@ void distance_field(benchmark::State& state) {
   const GeodesicSolver solver(surface);
   const auto workspace = solver.make_workspace();
   std::vector<float> field(surface.vertices());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     solver.field(0, field.data(), *workspace);
     benchmark::DoNotOptimize(field.data());
   }
@@ -34,7 +34,7 @@ BENCHMARK(distance_field)->Arg(24)->Arg(35)->Arg(100)->Unit(benchmark::kMillisec
 
 void simplification(benchmark::State& state) {
   const Surface surface = sphere(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(make_proxy(surface, 6000));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(make_proxy(surface, 6000));
   state.counters["vertices"] = surface.vertices();
 }
 BENCHMARK(simplification)->Arg(35)->Arg(100)->Unit(benchmark::kMillisecond);
@@ -56,14 +56,14 @@ const Scene& scene() {
 void joint_cost(benchmark::State& state) {
   const Scene& s = scene();
   const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
-  for (auto _ : state) benchmark::DoNotOptimize(problem.cost(s.itself));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(problem.cost(s.itself));
 }
 BENCHMARK(joint_cost)->Unit(benchmark::kMicrosecond);
 
 void joint_evaluation(benchmark::State& state) {
   const Scene& s = scene();
   const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     SampleMap map = problem.polar_map(0, 1, 0);
     benchmark::DoNotOptimize(problem.evaluate(map, 0));
   }
@@ -79,7 +79,8 @@ void dense_map(benchmark::State& state) {
   refined.landmarks.from.assign(s.sites.vertex.begin(), s.sites.vertex.begin() + s.sites.samples);
   refined.landmarks.to = refined.landmarks.from;
   refined.to_field = fields;
-  for (auto _ : state) benchmark::DoNotOptimize(make_dense_map(s.surface, refined, fields, curvature, {}, 1));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(make_dense_map(s.surface, refined, fields, curvature, {}, 1));
   state.counters["vertices"] = s.surface.vertices();
 }
 BENCHMARK(dense_map)->Unit(benchmark::kMillisecond);
