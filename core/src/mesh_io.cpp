@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <unordered_map>
 #include <vector>
 
@@ -53,7 +54,7 @@ std::string read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::string text(size, '\0');
   if (!in.read(text.data(), static_cast<std::streamsize>(size)))
-    throw FileError(errno ? std::strerror(errno) : "it cannot be read");
+    throw FileError(errno ? std::generic_category().message(errno) : "it cannot be read");
   return text;
 }
 
@@ -64,10 +65,16 @@ bool report_import(int percent, const char*) {
   return true;
 }
 
+struct Importing {
+  explicit Importing(const Context& context) { importing = &context; }
+  Importing(const Importing&) = delete;
+  ~Importing() { importing = nullptr; }
+};
+
 template <class Importer>
 void import(FileMesh& mesh, const std::string& path, const Context& context) {
   const Context second_half = context.part(0.5, 1);
-  importing = &second_half;
+  const Importing guard(second_half);
   int mask = 0;
   if (const int error = Importer::Open(mesh, path.c_str(), mask, report_import))
     throw FileError(Importer::ErrorMsg(error));

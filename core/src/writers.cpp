@@ -14,6 +14,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "ga_symmetry/errors.h"
@@ -54,7 +55,7 @@ class PendingFile {
     for (int attempt = 0; file < 0; ++attempt) {
       temporary_ = stem + std::to_string(attempt) + ".part";
       file = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-      if (file < 0 && errno != EEXIST) fail(path_, std::strerror(errno));
+      if (file < 0 && errno != EEXIST) fail(path_, std::generic_category().message(errno));
     }
     ::close(file);
   }
@@ -75,7 +76,7 @@ class PendingFile {
       out.write(bytes.data() + at, static_cast<std::streamsize>(std::min(kPiece, bytes.size() - at)));
     }
     out.close();
-    if (!out) fail(path_, errno ? std::strerror(errno) : "it could not be written whole");
+    if (!out) fail(path_, errno ? std::generic_category().message(errno) : "it could not be written whole");
   }
   // The bytes reach the disk before the name does.
   void sync() const {
@@ -83,7 +84,7 @@ class PendingFile {
     const bool synced = file >= 0 && (::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP);
     const int error = errno;
     if (file >= 0) ::close(file);
-    if (!synced) fail(path_, std::strerror(error));
+    if (!synced) fail(path_, std::generic_category().message(error));
   }
   void commit() {
     std::error_code error;
