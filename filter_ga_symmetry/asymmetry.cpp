@@ -34,7 +34,7 @@ RichParameterList parameters() {
 // White at 0, red at `top`, blue at -top.
 vcg::Color4b signed_color(double value, double top) {
   const double share = top > 0 ? std::min(1.0, std::abs(value) / top) : 0;
-  const auto faded = static_cast<unsigned char>(255 * (1 - share) + 0.5);
+  const auto faded = static_cast<unsigned char>(std::lround(255 * (1 - share)));
   return value > 0 ? vcg::Color4b(255, faded, faded, 255) : vcg::Color4b(faded, faded, 255, 255);
 }
 

@@ -71,7 +71,7 @@ Options to_options(const RichParameterList& list) {
 
 // The text rules; without it four selected vertices do; without those, and if allowed, there are none.
 References choose_references(const std::string& text, bool automatic, const CMeshO& m, const TriangleMesh& mesh) {
-  const References given = parse_references(text);
+  References given = parse_references(text);
   if (!given.empty()) return given;
   std::vector<int> selected;
   int index = 0;
