@@ -1,4 +1,6 @@
 // "Intrinsic Symmetry: Mirror Attributes".
+#include <cmath>
+
 #include "filters.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/mirror.h"
@@ -54,7 +56,9 @@ FilterOutputs apply(const FilterRun& run) {
       for (int channel = 0; channel < 4; ++channel)
         transfer_numbers(
             m, plan, transfer, [&](std::size_t v) { return m.vert[v].C()[channel]; },
-            [&](std::size_t v, double value) { m.vert[v].C()[channel] = static_cast<unsigned char>(value + 0.5); });
+            [&](std::size_t v, double value) {
+              m.vert[v].C()[channel] = static_cast<unsigned char>(std::lround(value));
+            });
       break;
     case kQuality:
       if (!layer.hasDataMask(MeshModel::MM_VERTQUALITY))
