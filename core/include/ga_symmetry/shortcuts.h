@@ -23,8 +23,8 @@ class Shortcuts {
   /// Points on borders between which they lead; about 100 at most.
   int points() const { return static_cast<int>(point_.size()); }
 
-  /// How far from the source of a distance field, shortcuts taken, each point is. @param entry  written at 0 ..
-  /// points()
+  /// How far from the source of a distance field, shortcuts taken, each point is.
+  /// @param entry  written; of points() values
   void enter(const float* field, float* entry) const;
   /// Half of what the field may be too long at a vertex: the true distance is within slack() of field[v] - slack().
   /// @param entry  of that field
