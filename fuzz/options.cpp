@@ -27,7 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const TriangleMesh mesh = [] {
     TriangleMesh m;
     for (int i = 0; i < 40; ++i) {
-      m.position.insert(m.position.end(), {double(i / 2), double(i % 2), std::sin(0.3 * i)});
+      const int row = i / 2, column = i % 2;
+      m.position.insert(m.position.end(), {double(row), double(column), std::sin(0.3 * i)});
       if (i + 2 < 40) m.triangle.insert(m.triangle.end(), {i, i + 1, i + 2});
     }
     return m;

@@ -18,8 +18,9 @@ TriangleMesh small_mesh() {
   TriangleMesh mesh;
   constexpr int kSide = 5;
   for (int i = 0; i < kSide * kSide; ++i) {
-    mesh.position.insert(mesh.position.end(), {double(i % kSide), double(i / kSide), 0.1 * (i % 3)});
-    if (i % kSide + 1 == kSide || i / kSide + 1 == kSide) continue;
+    const int row = i / kSide, column = i % kSide;
+    mesh.position.insert(mesh.position.end(), {double(column), double(row), 0.1 * (i % 3)});
+    if (column + 1 == kSide || row + 1 == kSide) continue;
     mesh.triangle.insert(mesh.triangle.end(), {i, i + 1, i + kSide + 1, i, i + kSide + 1, i + kSide});
   }
   return mesh;

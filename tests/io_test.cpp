@@ -520,10 +520,12 @@ TEST_F(WriteResult, SameBytesInEveryLocale) {
   const std::vector<std::string> endings{".csv", ".json", ".ply"};
   for (const std::string& ending : endings) write_result(path("a" + ending), mesh, result);
   const std::locale old = std::locale::global(std::locale(std::locale(), new CommaPoint));
+  // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs
   const std::string old_c = setlocale(LC_ALL, nullptr);
   setlocale(LC_ALL, "de_DE.UTF-8");  // where it is installed
   for (const std::string& ending : endings) write_result(path("b" + ending), mesh, result);
   setlocale(LC_ALL, old_c.c_str());
+  // NOLINTEND(concurrency-mt-unsafe)
   std::locale::global(old);
   for (const std::string& ending : endings) EXPECT_EQ(read(path("a" + ending)), read(path("b" + ending))) << ending;
 }

@@ -147,14 +147,11 @@ TEST_P(SampleMeshes, TruthKeepsGeodesicDistances) {
   const auto [a0, a1, l, r] = s.refs;
   const DistanceFields d = solver.fields({a0, a1, l, r}, 1);
   const Shortcuts shortcuts(s.surface, solver, 1);
-  std::vector<std::vector<float>> entry(4, std::vector<float>(shortcuts.points()));
-  for (int i = 0; i < 4; ++i) shortcuts.enter(d.row(i).data(), entry[i].data());
-  const auto slack = [&](int i, int v) {
-    return shortcuts.none() ? 0 : shortcuts.slack(d.row(i).data(), entry[i].data(), v);
-  };
+  std::vector<Shortcuts::Slack> slack;
+  for (int i = 0; i < 4; ++i) slack.push_back(shortcuts.slack(d.row(i).data()));
   // How far apart two distances are at least.
   const auto difference = [&](int i, int v, int j, int w) {
-    const float a = slack(i, v), b = slack(j, w);
+    const float a = slack[i](v), b = slack[j](w);
     return std::max(0.f, std::abs((d(i, v) - a) - (d(j, w) - b)) - a - b) / s.surface.unit();
   };
   double truth = 0, nothing = 0;  // `nothing`: every vertex stays where it is, measured from l and r

@@ -163,14 +163,11 @@ class Adjustment {
 
   // (i, j) is that of field j at vertex i.
   Eigen::MatrixXd slacks(const DistanceFields& fields, const std::vector<int>& vertices) const {
-    const Shortcuts& shortcuts = *options_.shortcuts;
     Eigen::MatrixXd out(vertices.size(), fields.rows());
-    std::vector<float> entry(shortcuts.points());
     for (Eigen::Index j = 0; j < fields.rows(); ++j) {
-      const float* field = fields.row(j).data();
-      shortcuts.enter(field, entry.data());
+      const auto slack = options_.shortcuts->slack(fields.row(j).data());
       for (std::size_t i = 0; i < vertices.size(); ++i)
-        out(static_cast<Eigen::Index>(i), j) = shortcuts.slack(field, entry.data(), vertices[i]) / unit_;
+        out(static_cast<Eigen::Index>(i), j) = slack(vertices[i]) / unit_;
     }
     return out;
   }

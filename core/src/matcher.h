@@ -38,12 +38,11 @@ struct Features {
 inline void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcuts, float unit, int first,
                    std::vector<float>& middle, std::vector<float>& slack) {
   slack.resize(middle.size(), 0);
-  std::vector<float> entry(shortcuts.points());
   for (Eigen::Index i = 0; i < fields.rows(); ++i) {
-    shortcuts.enter(fields.row(i).data(), entry.data());
+    const auto half = shortcuts.slack(fields.row(i).data());
     for (int v = 0; v < static_cast<int>(fields.cols()); ++v) {
       const std::size_t at = static_cast<std::size_t>(v) * f.dimension + first + i;
-      slack[at] = shortcuts.slack(fields.row(i).data(), entry.data(), v) / unit;
+      slack[at] = half(v) / unit;
       middle[at] -= slack[at];
     }
   }

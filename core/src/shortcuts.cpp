@@ -64,16 +64,15 @@ Shortcuts::Shortcuts(const Surface& surface, const GeodesicSolver& solver, int t
           hole_of[a] == hole_of[b] ? static_cast<float>(surface.edge_length(point_[a], point_[b])) : kInfinity;
 }
 
-void Shortcuts::enter(const float* field, float* entry) const {
-  for (int b = 0; b < points(); ++b) {
-    entry[b] = kInfinity;
-    for (int a = 0; a < points(); ++a) entry[b] = std::min(entry[b], field[point_[a]] + straight_(a, b));
-  }
+Shortcuts::Slack::Slack(const Shortcuts& shortcuts, const float* field)
+    : shortcuts_(shortcuts), field_(field), entry_(Eigen::ArrayXf::Constant(shortcuts.points(), kInfinity)) {
+  for (int a = 0; a < shortcuts.points(); ++a)
+    entry_ = entry_.min(field[shortcuts.point_[a]] + shortcuts.straight_.col(a).array());
 }
 
-float Shortcuts::slack(const float* field, const float* entry, int v) const {
-  const Eigen::Map<const Eigen::ArrayXf> to(entry, points());
-  return std::max(0.f, (field[v] - (to + distance_.col(v).array()).minCoeff()) / 2);
+float Shortcuts::Slack::operator()(int v) const {
+  if (shortcuts_.none()) return 0;
+  return std::max(0.f, (field_[v] - (entry_ + shortcuts_.distance_.col(v).array()).minCoeff()) / 2);
 }
 
 }  // namespace ga_symmetry

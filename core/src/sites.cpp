@@ -95,11 +95,9 @@ std::vector<int> extremal_samples(const Sites& sites) {
 Table slacks(const Samples& spaced, const Shortcuts& shortcuts) {
   const int count = static_cast<int>(spaced.vertex.size());
   Table out(count, count);
-  std::vector<float> entry(shortcuts.points());
   for (int i = 0; i < count; ++i) {
-    const float* field = spaced.distance.row(i).data();
-    shortcuts.enter(field, entry.data());
-    for (int j = 0; j < count; ++j) out(i, j) = shortcuts.slack(field, entry.data(), spaced.vertex[j]);
+    const auto slack = shortcuts.slack(spaced.distance.row(i).data());
+    for (int j = 0; j < count; ++j) out(i, j) = slack(spaced.vertex[j]);
   }
   return (out + out.transpose()) / 2;
 }

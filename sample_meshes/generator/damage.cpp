@@ -87,15 +87,17 @@ Sample remove_where(const Sample& s, Predicate predicate) {
 
 }  // namespace
 
-Sample without_left_hand(Sample s) {
-  s = remove_where(s, [&](std::size_t v) { return s.rest[v].x() > 66; });
+Sample without_left_hand(const Sample& whole) {
+  Sample s = remove_where(whole, [&](std::size_t v) { return whole.rest[v].x() > 66; });
   const auto next = border(s.mesh);
   std::vector<int> loop;
-  const auto first = std::find_if(next.begin(), next.end(), [](const auto& n) { return !n.empty(); });
+  const auto on_border = [](const auto& n) { return !n.empty(); };
+  const auto first = std::find_if(next.begin(), next.end(), on_border);
+  require(first != next.end(), "there is a wound");
   int v = static_cast<int>(first - next.begin());
   do loop.push_back(v), v = next[v][0];
   while (v != loop[0]);
-  for (const auto& n : next) require(n.empty() || loop.size() > 0, "the wound is one loop");
+  require(std::count_if(next.begin(), next.end(), on_border) == std::ptrdiff_t(loop.size()), "the wound is one loop");
   Vec3 centre = Vec3::Zero(), rest = Vec3::Zero();
   for (int w : loop) centre += s.mesh.point[w] / loop.size(), rest += s.rest[w] / loop.size();
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -107,7 +109,8 @@ Sample without_left_hand(Sample s) {
   return s;
 }
 
-Sample with_hump(Sample s) {
+Sample with_hump(const Sample& flat) {
+  Sample s = flat;
   const Vec3 centre(8, 126, -10);
   constexpr double kRadius = 11, kHeight = 7;  // cm
   std::vector<Vec3> normal(s.mesh.point.size(), Vec3::Zero());
@@ -129,13 +132,13 @@ Sample with_hump(Sample s) {
   return s;
 }
 
-Sample with_hole(Sample s) {
+Sample with_hole(const Sample& s) {
   const Vec3 centre(7, 124, 9);
   constexpr double kRadius = 6;  // cm
   return remove_where(s, [&](std::size_t v) { return (s.rest[v] - centre).norm() < kRadius; });
 }
 
-Sample partial_scan(Sample s) {
+Sample partial_scan(const Sample& s) {
   const Vec3 hidden = Vec3(0.8, 0.05, -0.6).normalized();  // the side that the scanner does not see
   std::vector<double> depth;
   for (const Vec3& p : s.mesh.point) depth.push_back(p.dot(hidden));

@@ -5,12 +5,12 @@
 namespace samples {
 
 /// The left hand cut off at the wrist, the wound closed.
-Sample without_left_hand(Sample sample);
+Sample without_left_hand(const Sample& sample);
 /// A hump on the left of the back. The hump and its place on the right have no counterpart.
-Sample with_hump(Sample sample);
+Sample with_hump(const Sample& sample);
 /// A hole in the left half of the chest.
-Sample with_hole(Sample sample);
+Sample with_hole(const Sample& sample);
 /// The quarter at the back left not seen by the scanner; open border.
-Sample partial_scan(Sample sample);
+Sample partial_scan(const Sample& sample);
 
 }  // namespace samples

@@ -82,7 +82,7 @@ void make(const std::string& folder, int vertices) {
           last ? remeshed_sample(shape, shape.poses[i]) : exact_sample(shape, whole, shape.poses[i], random);
       std::vector<Sample> all = {sample};
       if (sample.name == "person_wave") {
-        const std::pair<const char*, Sample (*)(Sample)> damages[] = {
+        const std::pair<const char*, Sample (*)(const Sample&)> damages[] = {
             {"_no_hand", without_left_hand}, {"_hump", with_hump}, {"_hole", with_hole}, {"_scan", partial_scan}};
         for (const auto& [suffix, damage] : damages) {
           all.push_back(damage(sample));

@@ -46,9 +46,9 @@ Mesh polygonize(const Field& field, const Domain& domain, double step) {
   }
   const auto id = [&](std::int64_t a, std::int64_t b, std::int64_t c) { return (c * size[1] + b) * size[0] + a; };
   const auto place = [&](std::int64_t i) -> Vec3 {
-    const Vec3 steps(static_cast<double>(low[0] + i % size[0]), static_cast<double>(low[1] + i / size[0] % size[1]),
-                     static_cast<double>(low[2] + i / size[0] / size[1]));
-    return domain.origin + axes * steps;
+    const std::int64_t row = i / size[0], layer = row / size[1];
+    const Eigen::Matrix<std::int64_t, 3, 1> steps(low[0] + i % size[0], low[1] + row % size[1], low[2] + layer);
+    return domain.origin + axes * steps.cast<double>();
   };
   std::vector<double> value(static_cast<std::size_t>(size[0] * size[1] * size[2]));
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = field.value(place(static_cast<std::int64_t>(i)));

@@ -23,13 +23,23 @@ class Shortcuts {
   /// Points on borders between which they lead; about 100 at most.
   int points() const { return static_cast<int>(point_.size()); }
 
-  /// How far from the source of a distance field, shortcuts taken, each point is.
-  /// @param entry  written; of points() values
-  void enter(const float* field, float* entry) const;
-  /// Half of what the field may be too long at a vertex: the true distance is within slack() of field[v] - slack().
-  /// @param entry  of that field
-  /// @return >= 0, unit of the surface
-  float slack(const float* field, const float* entry, int v) const;
+  /// Half of what a distance field may be too long: the true distance is within slack(v) of field[v] - slack(v).
+  class Slack {
+   public:
+    /// At a vertex. @return >= 0, unit of the field; 0 where nothing is missing
+    float operator()(int v) const;
+
+   private:
+    friend class Shortcuts;
+    Slack(const Shortcuts& shortcuts, const float* field);
+
+    const Shortcuts& shortcuts_;
+    const float* field_;
+    Eigen::ArrayXf entry_;  // per point: how far from the field's source it is, shortcuts taken
+  };
+
+  /// @param field  of all vertices; it and the shortcuts must outlive what is returned
+  Slack slack(const float* field) const { return {*this, field}; }
 
  private:
   std::vector<int> point_;
