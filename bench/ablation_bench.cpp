@@ -14,8 +14,8 @@
 
 #include "dataset.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
-#include "ga_symmetry/parallel.h"
+#include "ga_symmetry/io.h"
+#include "util/parallel.h"
 
 namespace {
 

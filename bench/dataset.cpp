@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
-#include "text_scan.h"
+#include "util/text_scan.h"
 
 namespace ga_symmetry::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ga_symmetry/pairs.h"
+#include "search/pairs.h"
 
 namespace ga_symmetry::bench {
 

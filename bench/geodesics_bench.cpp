@@ -6,7 +6,7 @@
 #include <ctime>
 #include <vector>
 
-#include "ga_symmetry/geodesics.h"
+#include "geodesics/geodesics.h"
 #include "spheres.h"
 #include "vcg_geodesic.h"
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <vector>
 
-#include "ga_symmetry/dense_map.h"
-#include "ga_symmetry/joint.h"
-#include "ga_symmetry/proxy.h"
+#include "matching/dense_map.h"
+#include "search/joint.h"
 #include "spheres.h"
+#include "surface/proxy.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "baselines/spectral.h"
 #include "baselines/spectrum.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/pairs.h"
+#include "search/pairs.h"
 
 namespace ga_symmetry::bench {
 namespace {

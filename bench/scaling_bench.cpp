@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "dataset.h"
-#include "ga_symmetry/export.h"
-#include "ga_symmetry/geodesics.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
+#include "geodesics/geodesics.h"
 #include "vcg_geodesic.h"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "ga_symmetry/random.h"
-#include "ga_symmetry/surface.h"
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/mesh.h"
+#include "surface/surface.h"
+#include "util/random.h"
 
 namespace ga_symmetry::spheres {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "ga_symmetry/surface.h"
+#include "surface/surface.h"
 
 namespace ga_symmetry::baseline {
 

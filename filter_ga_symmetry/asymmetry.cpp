@@ -6,7 +6,7 @@
 
 #include "filters.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 #include "layers.h"
 
 namespace ga_symmetry {

@@ -1,9 +1,9 @@
 // "Intrinsic Symmetry: Find Partners".
 #include "filters.h"
-#include "ga_symmetry/export.h"
-#include "ga_symmetry/option_text.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "layers.h"
+#include "option_text.h"
 
 namespace ga_symmetry {
 namespace {

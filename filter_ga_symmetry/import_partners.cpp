@@ -3,6 +3,7 @@
 
 #include "filters.h"
 #include "ga_symmetry/errors.h"
+#include "ga_symmetry/io.h"
 #include "layers.h"
 
 namespace ga_symmetry {

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 
 namespace ga_symmetry {
 namespace {

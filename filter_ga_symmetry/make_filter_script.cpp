@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "filters.h"
-#include "ga_symmetry/option_text.h"
+#include "option_text.h"
 
 namespace {
 

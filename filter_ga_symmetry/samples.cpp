@@ -1,7 +1,8 @@
 // "Intrinsic Symmetry: Evenly Spaced Samples".
+#include "ga_symmetry/samples.h"
+
 #include "filters.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/sampling.h"
 #include "layers.h"
 
 namespace ga_symmetry {
@@ -24,29 +25,29 @@ RichParameterList parameters() {
 
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
-  const Surface surface = make_surface(mesh_of(layer.cm), run.parameters.getBool("largest_component"));
   run.progress(10, "samples");
-  const Samples samples =
-      evenly_spaced_samples(surface, GeodesicSolver(surface), run.parameters.getInt("samples"),
-                            run.parameters.getInt("threads"), context_of(run).part(0.1, 0.9, "samples"));
-  const std::vector<int> patch = sample_patches(samples);
+  const SpacedSamples samples =
+      spaced_samples(mesh_of(layer.cm), run.parameters.getInt("samples"), run.parameters.getBool("largest_component"),
+                     run.parameters.getInt("threads"), context_of(run).part(0.1, 0.9, "samples"));
 
   const int count = static_cast<int>(samples.vertex.size());
   const auto color = [&](int i) { return vcg::Color4b::Scatter(count, i); };
   compact(layer.cm);
   CMeshO& points = add_layer(run, layer, "Evenly spaced samples", samples.vertex.size());
   for (int i = 0; i < count; ++i) {
-    points.vert[i].P() = layer.cm.vert[surface.mesh_vertex[samples.vertex[i]]].P();
-    points.vert[i].N() = layer.cm.vert[surface.mesh_vertex[samples.vertex[i]]].N();
+    points.vert[i].P() = layer.cm.vert[samples.vertex[i]].P();
+    points.vert[i].N() = layer.cm.vert[samples.vertex[i]].N();
     points.vert[i].Q() = static_cast<Scalarm>(i);
     points.vert[i].C() = vcg::Color4b::Black;  // to be seen on the patches
   }
   vcg::tri::UpdateBounding<CMeshO>::Box(points);
   layer.updateDataMask(MeshModel::MM_VERTCOLOR);
   for (auto& vertex : layer.cm.vert) vertex.C() = vcg::Color4b::Gray;
-  for (int v = 0; v < surface.vertices(); ++v) layer.cm.vert[surface.mesh_vertex[v]].C() = color(patch[v]);
-  run.log("Samples: " + std::to_string(count) + " of " + std::to_string(surface.vertices()) + " vertices");
-  for (const std::string& warning : surface.warnings) run.warn("Warning: " + warning);
+  int covered = 0;
+  for (std::size_t v = 0; v < samples.patch.size(); ++v)
+    if (samples.patch[v] >= 0) layer.cm.vert[v].C() = color(samples.patch[v]), ++covered;
+  run.log("Samples: " + std::to_string(count) + " of " + std::to_string(covered) + " vertices");
+  for (const std::string& warning : samples.warnings) run.warn("Warning: " + warning);
   return {{"samples", count}};
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "filters.h"
+#include "ga_symmetry/axis.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
-#include "ga_symmetry/lines.h"
+#include "ga_symmetry/io.h"
 #include "layers.h"
 
 namespace ga_symmetry {

@@ -2,7 +2,8 @@
 #include <cstdlib>
 
 #include "fuzz.h"
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/io.h"
+#include "ga_symmetry/mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ga_symmetry;

@@ -1,5 +1,5 @@
 // Advanced options as the user types them: refused in one line, or set.
-#include "ga_symmetry/option_text.h"
+#include "option_text.h"
 
 #include <cstdlib>
 

@@ -5,10 +5,11 @@
 
 #include "fuzz.h"
 #include "ga_symmetry/asymmetry.h"
+#include "ga_symmetry/axis.h"
 #include "ga_symmetry/evaluation.h"
-#include "ga_symmetry/lines.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/mirror.h"
-#include "ga_symmetry/value_table.h"
+#include "io/value_table.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 
 using namespace ga_symmetry;

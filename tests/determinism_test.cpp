@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "ga_symmetry/geodesics.h"
-#include "ga_symmetry/surface.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
+#include "geodesics/geodesics.h"
+#include "surface/surface.h"
 #include "symmetric_shapes.h"
 
 namespace ga_symmetry {

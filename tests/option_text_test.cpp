@@ -1,5 +1,5 @@
 // Advanced options: one line of text.
-#include "ga_symmetry/option_text.h"
+#include "option_text.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "shapes.h"
 

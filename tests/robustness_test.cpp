@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/surface.h"
 #include "ga_symmetry/symmetry.h"
 #include "shapes.h"
+#include "surface/surface.h"
 #include "symmetric_shapes.h"
 
 namespace ga_symmetry {

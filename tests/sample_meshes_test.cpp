@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "ga_symmetry/geodesics.h"
-#include "ga_symmetry/shortcuts.h"
-#include "ga_symmetry/surface.h"
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/io.h"
+#include "ga_symmetry/mesh.h"
+#include "geodesics/geodesics.h"
+#include "geodesics/shortcuts.h"
+#include "surface/surface.h"
 
 namespace ga_symmetry {
 namespace {

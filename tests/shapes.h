@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "ga_symmetry/random.h"
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/mesh.h"
+#include "util/random.h"
 
 namespace ga_symmetry::shapes {
 

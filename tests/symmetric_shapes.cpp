@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ga_symmetry/random.h"
+#include "util/random.h"
 
 namespace ga_symmetry::shapes {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/mesh.h"
 
 namespace ga_symmetry::shapes {
 

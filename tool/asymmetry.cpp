@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "ga_symmetry/io.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {

@@ -1,10 +1,12 @@
 // ga_symmetry axis: the centre line of a symmetry that was found before.
+#include "ga_symmetry/axis.h"
+
 #include <memory>
 #include <string>
 
 #include "arguments.h"
 #include "commands.h"
-#include "ga_symmetry/lines.h"
+#include "ga_symmetry/io.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {

@@ -15,9 +15,11 @@
 #include "commands.h"
 #include "dataset.h"
 #include "durations.h"
+#include "ga_symmetry/axis.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/lines.h"
-#include "ga_symmetry/sampling.h"
+#include "ga_symmetry/io.h"
+#include "ga_symmetry/version.h"
+#include "geodesics/sampling.h"
 #include "methods.h"
 #include "report.h"
 

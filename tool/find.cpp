@@ -13,7 +13,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "find_many.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 
 namespace ga_symmetry::tool {

@@ -11,7 +11,7 @@
 
 #include "commands.h"
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {

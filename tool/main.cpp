@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "ga_symmetry/errors.h"
+#include "ga_symmetry/version.h"
 
 namespace {
 

@@ -7,7 +7,8 @@
 
 #include "arguments.h"
 #include "commands.h"
-#include "ga_symmetry/value_table.h"
+#include "ga_symmetry/io.h"
+#include "io/value_table.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {

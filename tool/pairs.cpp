@@ -4,7 +4,8 @@
 
 #include "arguments.h"
 #include "commands.h"
-#include "ga_symmetry/lines.h"
+#include "ga_symmetry/axis.h"
+#include "ga_symmetry/io.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {

@@ -19,7 +19,7 @@
 #include <thread>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 
 extern char** environ;
 

@@ -7,8 +7,8 @@
 #include "durations.h"
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/evaluation.h"
+#include "ga_symmetry/mesh.h"
 #include "ga_symmetry/result.h"
-#include "ga_symmetry/triangle_mesh.h"
 
 namespace ga_symmetry::tool {
 

@@ -1,10 +1,13 @@
 // ga_symmetry samples: evenly spaced vertices and the patches around them.
+#include "ga_symmetry/samples.h"
+
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "arguments.h"
 #include "commands.h"
-#include "ga_symmetry/sampling.h"
+#include "ga_symmetry/io.h"
 #include "table.h"
 
 namespace ga_symmetry::tool {
@@ -18,17 +21,11 @@ struct Arguments {
 void run(const Arguments& a, const Context& context) {
   const bool drawing = wants_drawing(a.output);
   const TriangleMesh mesh = read_mesh(a.mesh, context.part(0, 0.3));
-  const Surface surface = make_surface(mesh, false, context);
-  const Samples samples =
-      evenly_spaced_samples(surface, GeodesicSolver(surface), a.count, a.threads, context.part(0.3, 1, "samples"));
-  const std::vector<int> patch = sample_patches(samples);
+  const SpacedSamples samples = spaced_samples(mesh, a.count, false, a.threads, context.part(0.3, 1, "samples"));
   Table table("vertex,patch,sample");
-  std::vector<double> quality(static_cast<std::size_t>(mesh.vertices()), -1.0);
-  for (int v = 0; v < surface.vertices(); ++v) {
-    const int vertex = surface.mesh_vertex[v];
-    table.cell(vertex).cell(patch[v]).cell(surface.mesh_vertex[samples.vertex[patch[v]]]).end_row();
-    quality[vertex] = patch[v];
-  }
+  for (int v = 0; v < mesh.vertices(); ++v)
+    if (const int patch = samples.patch[v]; patch >= 0) table.cell(v).cell(patch).cell(samples.vertex[patch]).end_row();
+  const std::vector<double> quality(samples.patch.begin(), samples.patch.end());
   deliver(a.output, drawing ? to_ply({mesh.position, quality, {}, mesh.triangle}) : table.text());
 }
 

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "ga_symmetry/evaluation.h"
+#include "ga_symmetry/io.h"
 
 namespace ga_symmetry::tool {
 

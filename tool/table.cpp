@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/export.h"
+#include "ga_symmetry/io.h"
 
 namespace ga_symmetry::tool {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ga_symmetry/sampling.h"
+#include "geodesics/sampling.h"
 
 namespace ga_symmetry::baselines {
 namespace {

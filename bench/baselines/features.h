@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "baselines/spectrum.h"
-#include "ga_symmetry/geodesics.h"
-#include "ga_symmetry/surface.h"
+#include "geodesics/geodesics.h"
+#include "surface/surface.h"
 
 namespace ga_symmetry::baselines {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "ga_symmetry/pairs.h"
+#include "search/pairs.h"
 
 namespace ga_symmetry::baselines {
 

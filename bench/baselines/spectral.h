@@ -6,8 +6,8 @@
 
 #include "baselines/spectrum.h"
 #include "ga_symmetry/context.h"
-#include "ga_symmetry/surface.h"
 #include "ga_symmetry/symmetry.h"
+#include "surface/surface.h"
 
 namespace ga_symmetry::baselines {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ga_symmetry/errors.h"
-#include "ga_symmetry/parallel.h"
+#include "util/parallel.h"
 
 namespace ga_symmetry::baselines {
 namespace {

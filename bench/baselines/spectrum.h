@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "ga_symmetry/surface.h"
+#include "surface/surface.h"
 
 namespace ga_symmetry::baselines {
 

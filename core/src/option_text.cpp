@@ -1,10 +1,10 @@
-#include "ga_symmetry/option_text.h"
+#include "option_text.h"
 
 #include <cstdio>
 #include <set>
 #include <variant>
 
-#include "text_scan.h"
+#include "util/text_scan.h"
 
 namespace ga_symmetry {
 namespace {

@@ -1,3 +1,5 @@
+#include "ga_symmetry/references.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "ga_symmetry/geodesics.h"
-#include "ga_symmetry/sampling.h"
-#include "ga_symmetry/surface.h"
-#include "ga_symmetry/symmetry.h"
-#include "text_scan.h"
+#include "ga_symmetry/errors.h"
+#include "geodesics/geodesics.h"
+#include "geodesics/sampling.h"
+#include "surface/surface.h"
+#include "util/text_scan.h"
 
 namespace ga_symmetry {
 namespace {

@@ -1,7 +1,7 @@
 // What vcglib does for the generator.
 #pragma once
-#include "ga_symmetry/random.h"
 #include "mesh.h"
+#include "util/random.h"
 
 namespace samples {
 

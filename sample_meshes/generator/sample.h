@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ga_symmetry/random.h"
 #include "mesh.h"
+#include "util/random.h"
 
 namespace samples {
 

@@ -14,7 +14,8 @@
 
 #include "filter_ga_symmetry.h"
 #include "filters.h"
-#include "ga_symmetry/triangle_mesh.h"
+#include "ga_symmetry/io.h"
+#include "ga_symmetry/mesh.h"
 
 namespace {
 

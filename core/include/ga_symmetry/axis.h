@@ -1,34 +1,36 @@
-// The symmetry's axis: where left becomes right.
+// What there is to draw of a symmetry that is known: links between partners, and the axis.
 #pragma once
 #include <array>
 #include <vector>
 
-#include "ga_symmetry/dense_map.h"
+#include "ga_symmetry/context.h"
+#include "ga_symmetry/mesh.h"
+#include "ga_symmetry/partners.h"
 #include "ga_symmetry/result.h"
-#include "ga_symmetry/surface.h"
 
 namespace ga_symmetry {
 
-/// How much nearer each vertex is to the left than to the right: over all landmark pairs, the difference of its
-/// distances to the right and the left one; near pairs count more. 0 on the axis of a perfect symmetry.
-/// @param from, to  distance fields of the landmarks, landmarks x vertices
-/// @param left  landmark that is on the left, or -1: the pair that is farthest apart is labelled left to right
-/// @return per vertex, > 0 left
-std::vector<float> left_right_function(const Surface& surface, const Landmarks& landmarks, const DistanceFields& from,
-                                       const DistanceFields& to, int left = -1);
+/// Evenly spread pairs: every further one starts at the vertex farthest from the starts before it, of those on the left
+/// (of all, where there are no sides) that have a partner other than themselves. So the first k of N are the k pairs.
+/// @param count  pairs, >= 1; fewer where there are not so many
+/// @throws InvalidOption  if count < 1, or as check_partners
+/// @throws InvalidMesh    as make_surface with the largest component
+/// @throws Cancelled
+std::vector<SymmetricPair> spread_pairs(const TriangleMesh& mesh, const Partners& partners, int count,
+                                        const Context& context = {});
 
-/// +1 where the function is positive, -1 where negative, 0 on the axis: of an edge that crosses it the nearer end.
-std::vector<int> sides(const Surface& surface, const std::vector<float>& function);
+/// The axis as polylines on the faces, longest first, nothing shorter than a tenth of the whole; a closed one
+/// repeats its first point. Where the distances to evenly spread vertices of the left and to their partners are equal:
+/// a smooth line, though each single partner is off by a little. On a surface without a border it leaves one piece on
+/// each side: one closed line, or as many as the surface has handles, and one more.
+/// @param threads  0 = all cores, [0, 256]; speed only
+/// @throws as spread_pairs; InvalidOption too if there are no sides, as after a rotation
+std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, const Partners& partners, int threads,
+                                                  const Context& context = {});
 
-/// Makes each side of a left-right function one piece. Along its axis a reflection cuts a closed connected surface into
-/// two pieces at most, which it swaps (Weichold 1883); a torus' axis has two closed lines and still leaves two. So a
-/// further piece is noise: it is joined to its side, or goes over to the other side, whichever changes the sign of less
-/// of the function (absolute value times area). Pieces at a border stay: what lies beyond it may have joined them.
-void connect_sides(const Surface& surface, std::vector<float>& function);
-
-/// The function's zero set as polylines on the faces, longest first; a closed one repeats its first point.
-/// @param shortest  polylines of a smaller share of the total length are left out, [0,1]
-std::vector<std::vector<SurfacePoint>> zero_set(const Surface& surface, const std::vector<float>& function,
-                                                double shortest);
+/// Where a point on a face is.
+std::array<double, 3> position_of(const TriangleMesh& mesh, const SurfacePoint& point);
+/// Interpolates values given at the vertices.
+double value_at(const std::vector<double>& values, const SurfacePoint& point);
 
 }  // namespace ga_symmetry

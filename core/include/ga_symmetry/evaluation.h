@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ga_symmetry/context.h"
+#include "ga_symmetry/mesh.h"
 #include "ga_symmetry/partners.h"
-#include "ga_symmetry/triangle_mesh.h"
 
 namespace ga_symmetry {
 

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "ga_symmetry/triangle_mesh.h"
-
 namespace ga_symmetry {
 
 enum class SymmetryKind { reflection, rotation };
@@ -74,16 +72,5 @@ struct Result {
   std::vector<std::string> warnings;  ///< one line each, for the user
   std::uint64_t seed = 1;
 };
-
-/// Writes the result; the ending of `path` chooses the format. The file appears whole or not at all.
-///  .csv   header `vertex,partner,fitness,side`, one row per vertex, 0-based
-///  .json  everything in Result
-///  .ply   the mesh coloured by fitness, with quality and the three attributes per vertex
-/// @throws InvalidOption  for another ending
-/// @throws FileError      if the file cannot be written
-void write_result(const std::string& path, const TriangleMesh& mesh, const Result& result);
-
-/// A path that write_result would refuse is refused here, before the work. @throws InvalidOption, FileError
-void check_result_path(const std::string& path);
 
 }  // namespace ga_symmetry

@@ -1,0 +1,29 @@
+// What the user knows of the symmetry: vertices on its axis, and pairs that it exchanges.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ga_symmetry/mesh.h"
+
+namespace ga_symmetry {
+
+/// Reference vertices that the user knows; all indices are vertices of the mesh. Empty = automatic.
+struct References {
+  std::vector<int> axis;                  ///< on the symmetry axis: the symmetry does not move them
+  std::vector<std::array<int, 2>> pairs;  ///< {l, r}: the symmetry takes l to r
+  bool empty() const { return axis.empty() && pairs.empty(); }
+};
+
+/// Reads `a0,a1,l,r` (two axis points, then a pair; further numbers are further pairs). One colon makes a pair
+/// explicit: `12:57` is a pair, `3,8` two axis points, `3,8,12:57,90:4` two axis points and two pairs. "" = none.
+/// @throws InvalidOption  if the text is not of that form
+References parse_references(const std::string& text);
+
+/// Works out which two of four selected vertices lie on the axis and which two are the pair: the pair (c,d) has
+/// d(a,c) = d(a,d) and d(b,c) = d(b,d), by geodesic distance. Order of the input does not matter.
+/// @throws InvalidOption  if two readings are equally good, or a vertex is out of range or repeated
+/// @throws InvalidMesh    as find_symmetry
+References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected);
+
+}  // namespace ga_symmetry

@@ -1,0 +1,50 @@
+// What distances could be if nothing of a surface were missing.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "ga_symmetry/context.h"
+#include "geodesics/geodesics.h"
+#include "surface/surface.h"
+
+namespace ga_symmetry {
+
+/// A scan lacks parts, and its geodesics go around what it lacks. A distance is right where the ends are nearer to each
+/// other than to the border; otherwise it may be too long, at most by what straight ways from border to border save.
+/// Sources: Bronstein et al. 2006 (which distances of a partial surface are right), Bracha et al. 2024 (straight ways).
+class Shortcuts {
+ public:
+  /// None: all distances are right.
+  Shortcuts() = default;
+  /// Through every hole of the surface that is no mere pinprick. @throws Cancelled
+  Shortcuts(const Surface& surface, const GeodesicSolver& solver, int threads, const Context& context = {});
+
+  bool none() const { return point_.empty(); }
+  /// Points on borders between which they lead; about 100 at most.
+  int points() const { return static_cast<int>(point_.size()); }
+
+  /// Half of what a distance field may be too long: the true distance is within slack(v) of field[v] - slack(v).
+  class Slack {
+   public:
+    /// At a vertex. @return >= 0, unit of the field; 0 where nothing is missing
+    float operator()(int v) const;
+
+   private:
+    friend class Shortcuts;
+    Slack(const Shortcuts& shortcuts, const float* field);
+
+    const Shortcuts& shortcuts_;
+    const float* field_;
+    Eigen::ArrayXf entry_;  // per point: how far from the field's source it is, shortcuts taken
+  };
+
+  /// @param field  of all vertices; it and the shortcuts must outlive what is returned
+  Slack slack(const float* field) const { return {*this, field}; }
+
+ private:
+  std::vector<int> point_;
+  Eigen::MatrixXf straight_;  // points x points: through space, +inf between different holes
+  Eigen::MatrixXf distance_;  // points x vertices
+};
+
+}  // namespace ga_symmetry

@@ -1,0 +1,21 @@
+#include "ga_symmetry/samples.h"
+#include "geodesics/geodesics.h"
+#include "geodesics/sampling.h"
+#include "surface/surface.h"
+
+namespace ga_symmetry {
+
+SpacedSamples spaced_samples(const TriangleMesh& mesh, int count, bool largest_component, int threads,
+                             const Context& context) {
+  const Surface surface = make_surface(mesh, largest_component, context);
+  const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), count, threads, context);
+  const std::vector<int> patch = sample_patches(samples);
+  SpacedSamples out;
+  out.warnings = surface.warnings;
+  out.patch.assign(static_cast<std::size_t>(mesh.vertices()), -1);
+  for (int v = 0; v < surface.vertices(); ++v) out.patch[surface.mesh_vertex[v]] = patch[v];
+  for (const int v : samples.vertex) out.vertex.push_back(surface.mesh_vertex[v]);
+  return out;
+}
+
+}  // namespace ga_symmetry

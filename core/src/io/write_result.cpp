@@ -1,0 +1,343 @@
+#include <fcntl.h>
+#include <unistd.h>
+#include <vcg/complex/complex.h>
+#include <wrap/io_trimesh/export_ply.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/io.h"
+#include "ga_symmetry/result.h"
+
+namespace ga_symmetry {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { csv, json, ply };
+
+Format format_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".csv") return Format::csv;
+  if (ending == ".json") return Format::json;
+  if (ending == ".ply") return Format::ply;
+  throw InvalidOption("cannot write " + (path.empty() ? "a file without a name" : path) +
+                      ": its name must end in .csv, .json or .ply");
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+  throw FileError("cannot write " + path + ": " + why);
+}
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+// A file that is written beside its place and takes it when all is well; else nothing is left of it.
+class PendingFile {
+ public:
+  explicit PendingFile(const std::string& path) : path_(path), target_(path) {
+    std::error_code error;
+    if (fs::is_symlink(target_, error)) target_ = fs::weakly_canonical(target_, error);  // write through a link
+    const std::string stem = (folder_of(target_) / ".ga_symmetry-").string() + std::to_string(::getpid()) + "-";
+    int file = -1;
+    for (int attempt = 0; file < 0; ++attempt) {
+      temporary_ = stem + std::to_string(attempt) + ".part";
+      file = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+      if (file < 0 && errno != EEXIST) fail(path_, std::generic_category().message(errno));
+    }
+    ::close(file);
+  }
+  ~PendingFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  const std::string& temporary() const { return temporary_; }
+
+  void write(const std::string& bytes, const Context& context = {}) const {
+    constexpr std::size_t kPiece = 1 << 24;
+    errno = 0;
+    std::ofstream out(temporary_, std::ios::binary);
+    for (std::size_t at = 0; at < bytes.size() && out; at += kPiece) {
+      if (context.cancelled()) throw Cancelled();
+      out.write(bytes.data() + at, static_cast<std::streamsize>(std::min(kPiece, bytes.size() - at)));
+    }
+    out.close();
+    if (!out) fail(path_, errno ? std::generic_category().message(errno) : "it could not be written whole");
+  }
+  // The bytes reach the disk before the name does.
+  void sync() const {
+    const int file = ::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
+    const bool synced = file >= 0 && (::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP);
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    if (!synced) fail(path_, std::generic_category().message(error));
+  }
+  void commit() {
+    std::error_code error;
+    fs::rename(temporary_, target_, error);
+    if (error) fail(path_, error.message());
+    temporary_.clear();
+  }
+
+ private:
+  std::string path_;
+  fs::path target_;
+  std::string temporary_;
+};
+
+void stop_at(std::size_t v, const Context& context) {
+  if (v % 65536 == 0 && context.cancelled()) throw Cancelled();
+}
+
+std::string to_csv(const Result& result, const Context& context) {
+  std::string out = "vertex,partner,fitness,side\n";
+  char cell[32];
+  const auto append = [&](auto value, char end) {
+    out.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
+    out += end;
+  };
+  for (std::size_t v = 0; v < result.partner.size(); ++v) {
+    stop_at(v, context);
+    append(v, ',');
+    append(result.partner[v], ',');
+    append(result.fitness[v], ',');
+    append(result.side[v], '\n');
+  }
+  return out;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(double value) { return value; }
+Json to_json(int value) { return value; }
+Json to_json(const SurfacePoint& p) {
+  return {p.vertex[0], p.vertex[1], p.vertex[2], p.weight[0], p.weight[1], p.weight[2]};
+}
+
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+// All of Result but the seconds, which would make the files of two equal runs differ.
+std::string to_json(const TriangleMesh& mesh, const Result& result, const Context& context) {
+  Json json;
+  json["format"] = "ga_symmetry result";
+  json["version"] = 1;
+  json["mesh"] = {{"vertices", mesh.vertices()}, {"triangles", mesh.triangles()}, {"checksum", checksum_text(mesh)}};
+  json["kind"] = to_string(result.kind);
+  json["order"] = result.order;
+  json["seed"] = result.seed;
+  json["stop"] = to_string(result.stop);
+  json["matched"] = result.matched;
+  json["mean_fitness"] = result.mean_fitness;
+  json["confidence"] = result.confidence;
+  json["axis_references"] = result.axis_references;
+  json["pair_references"] = result.pair_references;
+  json["warnings"] = result.warnings;
+  json["symmetries"] = Json::array();
+  for (const FoundSymmetry& s : result.symmetries)
+    json["symmetries"].push_back(
+        {{"kind", to_string(s.kind)}, {"order", s.order}, {"rank", s.rank}, {"score", s.score}});
+  json["pairs"] = Json::array();
+  for (const SymmetricPair& p : result.pairs)
+    json["pairs"].push_back({{"vertex", p.vertex}, {"partner", p.partner}, {"fitness", p.fitness}});
+  json["axis"] = Json::array();
+  for (const auto& line : result.axis) {
+    Json points = Json::array();
+    for (const SurfacePoint& p : line) points.push_back(to_json(p));
+    json["axis"].push_back(std::move(points));
+  }
+  json["log"] = Json::array();
+  for (const GenerationLog& g : result.log)
+    json["log"].push_back(
+        {{"generation", g.generation}, {"best", g.best}, {"mean", g.mean}, {"diversity", g.diversity}});
+  std::string out = dump(json);
+  out.pop_back();
+  // What is long goes out value by value: as one document it would take many times its size in memory.
+  const auto append = [&](const char* name, const auto& values) {
+    out += std::string(",\"") + name + "\":[";
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      stop_at(v, context);
+      if (v > 0) out += ',';
+      out += dump(to_json(values[v]));
+    }
+    out += ']';
+  };
+  append("partner", result.partner);
+  append("fitness", result.fitness);
+  append("side", result.side);
+  append("partner_point", result.partner_point);
+  return out + "}\n";
+}
+
+class PlyVertex;
+class PlyFace;
+struct PlyTypes : vcg::UsedTypes<vcg::Use<PlyVertex>::AsVertexType, vcg::Use<PlyFace>::AsFaceType> {};
+// The exporter declares the quality with the type of the coordinates: both must be double.
+class PlyVertex : public vcg::Vertex<PlyTypes, vcg::vertex::Coord3d, vcg::vertex::Qualityd, vcg::vertex::Color4b,
+                                     vcg::vertex::BitFlags> {};
+class PlyFace : public vcg::Face<PlyTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class PlyMesh : public vcg::tri::TriMesh<std::vector<PlyVertex>, std::vector<PlyFace>> {
+ public:
+  ~PlyMesh() { ClearAttributes(); }  // the base class does not
+};
+
+// float, because MeshLab's own attributes are.
+template <class Value>
+void add_attribute(PlyMesh& mesh, vcg::tri::io::PlyInfo& info, const char* name, const std::vector<Value>& values) {
+  auto attribute = vcg::tri::Allocator<PlyMesh>::AddPerVertexAttribute<float>(mesh, name);
+  for (std::size_t v = 0; v < values.size(); ++v) attribute[v] = static_cast<float>(values[v]);
+  // Not AddPerVertexFloatAttribute: in 2020.09 it writes to the first PlyInfo of the process, alive or not.
+  vcg::ply::PropDescriptor property{};
+  property.elemname = "vertex";
+  property.propname = name;
+  property.stotype1 = property.memtype1 = vcg::ply::T_FLOAT;
+  info.VertDescriptorVec.push_back(property);
+  info.VertAttrNameVec.push_back(name);
+}
+
+// The exporter does not notice a disk that fills up while its last buffer is written.
+bool is_whole(const std::string& path, const TriangleMesh& mesh) {
+  constexpr std::uintmax_t kVertex = 3 * 8 + 4 + 8 + 3 * 4, kFace = 1 + 3 * 4;
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  while (std::getline(in, line) && line != "end_header") {
+  }
+  const auto header = in.tellg();
+  std::error_code error;
+  return header > 0 && fs::file_size(path, error) == static_cast<std::uintmax_t>(header) +
+                                                         kVertex * static_cast<std::uintmax_t>(mesh.vertices()) +
+                                                         kFace * static_cast<std::uintmax_t>(mesh.triangles());
+}
+
+void write_ply(const std::string& path, const PendingFile& file, const TriangleMesh& mesh, const Result& result,
+               const Context& context) {
+  PlyMesh out;
+  vcg::tri::Allocator<PlyMesh>::AddVertices(out, mesh.vertices());
+  vcg::tri::Allocator<PlyMesh>::AddFaces(out, mesh.triangles());
+  const double top = ramp_top(result.partner, result.fitness);
+  for (std::size_t v = 0; v < out.vert.size(); ++v) {
+    const double* p = &mesh.position[3 * v];
+    out.vert[v].P() = {p[0], p[1], p[2]};
+    out.vert[v].Q() = result.fitness[v];
+    // From the top to 0: the ramp's first colour is red.
+    out.vert[v].C() = vcg::Color4b::Blue;
+    if (top > 0) out.vert[v].C().SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.fitness[v]));
+  }
+  for (std::size_t c = 0; c < mesh.triangle.size(); ++c) out.face[c / 3].V(c % 3) = &out.vert[mesh.triangle[c]];
+  vcg::tri::io::PlyInfo info;
+  info.mask = vcg::tri::io::Mask::IOM_VERTCOLOR | vcg::tri::io::Mask::IOM_VERTQUALITY;
+  add_attribute(out, info, "symmetry_partner", result.partner);
+  add_attribute(out, info, "symmetry_fitness", result.fitness);
+  add_attribute(out, info, "symmetry_side", result.side);
+  stop_at(0, context);
+  using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
+  const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
+  if (error) fail(path, Exporter::ErrorMsg(error));
+  if (!is_whole(file.temporary(), mesh)) fail(path, "it could not be written whole (is the disk full?)");
+}
+
+void check_fits(const TriangleMesh& mesh, const Result& result) {
+  const std::size_t n = mesh.position.size() / 3;
+  if (result.partner.size() != n || result.fitness.size() != n || result.side.size() != n)
+    throw InvalidOption("the result is not of this mesh: it has " + std::to_string(result.partner.size()) +
+                        " vertices, the mesh " + std::to_string(n));
+}
+
+}  // namespace
+
+double ramp_top(const std::vector<int>& partner, const std::vector<double>& fitness) {
+  std::vector<double> known;
+  for (std::size_t v = 0; v < partner.size(); ++v)
+    if (partner[v] >= 0) known.push_back(fitness[v]);
+  if (known.empty()) return 0;
+  const auto at = known.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(known.size() - 1));
+  std::nth_element(known.begin(), at, known.end());
+  return *at;
+}
+
+std::uint64_t mesh_checksum(const TriangleMesh& mesh) {
+  std::uint64_t hash = 14695981039346656037u;
+  const auto add = [&](std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) hash = (hash ^ (value >> 8 * i & 0xff)) * 1099511628211u;
+  };
+  add(static_cast<std::uint64_t>(mesh.vertices()), 8);
+  add(static_cast<std::uint64_t>(mesh.triangles()), 8);
+  for (double x : mesh.position) {
+    const float single = static_cast<float>(x);
+    std::uint32_t bits;
+    std::memcpy(&bits, &single, sizeof bits);
+    add(bits, 4);
+  }
+  for (int v : mesh.triangle) add(static_cast<std::uint32_t>(v), 4);
+  return hash;
+}
+
+std::string checksum_text(const TriangleMesh& mesh) {
+  char text[32];
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(mesh_checksum(mesh)));
+  return text;
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  PendingFile file(path);
+  file.write(bytes);
+  file.sync();
+  file.commit();
+}
+
+void check_result_path(const std::string& path) {
+  format_of(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) fail(path, error.message());
+  if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "there is something that is not a file");
+  const fs::path folder = folder_of(fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path));
+  if (!fs::is_directory(folder, error)) fail(path, "there is no folder " + folder.string());
+  const PendingFile probe(path);
+}
+
+void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result,
+                   const Context& context) {
+  check_fits(mesh, result);
+  for (const std::string& path : paths) check_result_path(path);
+  std::vector<std::unique_ptr<PendingFile>> files;
+  for (const std::string& path : paths) {
+    context.report(static_cast<double>(files.size()) / static_cast<double>(paths.size()), "writing");
+    files.push_back(std::make_unique<PendingFile>(path));
+    const PendingFile& file = *files.back();
+    switch (format_of(path)) {
+      case Format::csv:
+        file.write(to_csv(result, context), context);
+        break;
+      case Format::json:
+        file.write(to_json(mesh, result, context), context);
+        break;
+      case Format::ply:
+        write_ply(path, file, mesh, result, context);
+        break;
+    }
+    stop_at(0, context);
+    file.sync();
+  }
+  stop_at(0, context);
+  for (const auto& file : files) file->commit();
+}
+
+void write_result(const std::string& path, const TriangleMesh& mesh, const Result& result) {
+  write_results({path}, mesh, result);
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,176 @@
+#include "matching/dense_map.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "ga_symmetry/errors.h"
+#include "matching/matcher.h"
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+template <class Body>
+void for_each_vertex(const Surface& surface, const Features& features, Weighting weighting, int threads,
+                     const Context& context, const Body& body) {
+  constexpr int kBlock = 256;
+  const int n = surface.vertices();
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int worker) {
+    if (worker == 0) context.advance(static_cast<double>(block) * kBlock / n);  // the calling thread
+    if (context.cancelled()) throw Cancelled();
+    Matcher matcher(surface, features, weighting);
+    for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+      matcher.look_at(v);
+      body(v, matcher);
+    }
+  });
+}
+
+// Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
+void match(const Surface& surface, const Features& features, const Landmarks& landmarks, const DistanceFields& fields,
+           DenseMap& map, int threads, const Context& context) {
+  const int n = surface.vertices();
+  map.partner.assign(n, -1);
+  map.residual.assign(n, INFINITY);
+  const auto try_from = [&](Matcher& matcher, int v, int start) {
+    float e;
+    const int c = matcher.descend(start, e);
+    if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
+  };
+  for_each_vertex(surface, features, kFine, threads, context.part(0, 0.6), [&](int v, Matcher& matcher) {
+    for (int i : nearest_landmarks(fields, v)) try_from(matcher, v, landmarks.to[i]);
+  });
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
+    const Context part = context.part(0.6 + 0.2 * pass, 0.8 + 0.2 * pass);
+    for_each_vertex(surface, features, kFine, threads, part, [&](int v, Matcher& matcher) {
+      for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
+        const int start = before[surface.triangle[next_corner(surface.corner_at[i])]];
+        if (start != map.partner[v] && matcher.error(start) < 4 * map.residual[v]) try_from(matcher, v, start);
+      }
+    });
+  }
+}
+
+// How far off the features are at the partners, smoothed over the surface: n x dimension.
+std::vector<float> smooth_differences(const Surface& surface, const Features& features, const std::vector<int>& partner,
+                                      int threads, const Context& context) {
+  constexpr int kRounds = 5;
+  const int n = surface.vertices(), dimension = features.dimension;
+  std::vector<float> now(static_cast<std::size_t>(n) * dimension), next(now.size());
+  const auto row = [&](std::vector<float>& data, int v) {
+    return Eigen::Map<Eigen::ArrayXf>(&data[static_cast<std::size_t>(v) * dimension], dimension);
+  };
+  using Row = Eigen::Map<const Eigen::ArrayXf>;
+  for (int v = 0; v < n; ++v)
+    row(now, v) =
+        Row(features.of(features.target, partner[v]), dimension) - Row(features.of(features.source, v), dimension);
+  constexpr int kBlock = 256;
+  for (int round = 0; round < kRounds; ++round) {
+    parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+      if (context.cancelled()) throw Cancelled();
+      for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+        auto mean = row(next, v);
+        mean = row(now, v);
+        const int first = surface.first_corner[v], last = surface.first_corner[v + 1];
+        for (int i = first; i < last; ++i) mean += row(now, surface.triangle[next_corner(surface.corner_at[i])]);
+        mean /= static_cast<float>(last - first + 1);
+      }
+    });
+    now.swap(next);
+  }
+  return now;
+}
+
+// The point on the faces around `c` whose interpolated features match best.
+SurfacePoint on_face(const Surface& surface, const Features& features, const Matcher& matcher, int c) {
+  SurfacePoint best{{c, c, c}, {1, 0, 0}};
+  const int dimension = features.dimension;
+  const float* origin = features.of(features.target, c);
+  double least = matcher.error(c);
+  for (int i = surface.first_corner[c]; i < surface.first_corner[c + 1]; ++i) {
+    const int a = surface.triangle[next_corner(surface.corner_at[i])];
+    const int b = surface.triangle[previous_corner(surface.corner_at[i])];
+    const float *fa = features.of(features.target, a), *fb = features.of(features.target, b);
+    double aa = 0, ab = 0, bb = 0, ra = 0, rb = 0, rr = 0;
+    for (int k = 0; k < dimension; ++k) {
+      const double w = matcher.weight()[k], r = matcher.source()[k] - origin[k], x = fa[k] - origin[k],
+                   y = fb[k] - origin[k];
+      aa += w * x * x, ab += w * x * y, bb += w * y * y, ra += w * r * x, rb += w * r * y, rr += w * r * r;
+    }
+    const auto consider = [&](double s, double t) {
+      if (s < 0 || t < 0 || s + t > 1) return;
+      const double e = rr - 2 * (s * ra + t * rb) + s * s * aa + 2 * s * t * ab + t * t * bb;
+      if (e < least) least = e, best = {{c, a, b}, {1 - s - t, s, t}};
+    };
+    const double determinant = aa * bb - ab * ab;
+    if (determinant > 1e-12 * aa * bb) consider((ra * bb - rb * ab) / determinant, (rb * aa - ra * ab) / determinant);
+    if (aa > 0) consider(std::clamp(ra / aa, 0.0, 1.0), 0);
+    if (bb > 0) consider(0, std::clamp(rb / bb, 0.0, 1.0));
+    const double along = aa - 2 * ab + bb;  // on the edge a-b: origin moved to a
+    if (along > 0) {
+      const double t = std::clamp(((rb - ra) - (ab - aa)) / along, 0.0, 1.0);
+      consider(1 - t, t);
+    }
+  }
+  return best;
+}
+
+// How far the best point may be off, by the residual: Gauss-Newton's estimate of the position's deviation, from the
+// change of the features over the face.
+double position_uncertainty(const Surface& surface, const Features& features, const Matcher& matcher, int c,
+                            double residual) {
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  const float* origin = features.of(features.target, c);
+  const int first = surface.first_corner[c], last = surface.first_corner[c + 1];
+  for (int i = first; i < last; ++i) {
+    const int a = surface.triangle[next_corner(surface.corner_at[i])];
+    const int b = surface.triangle[previous_corner(surface.corner_at[i])];
+    const double la = surface.edge_length(c, a) / surface.unit(), lb = surface.edge_length(c, b) / surface.unit();
+    const double lab = surface.edge_length(a, b) / surface.unit();
+    const double x = (la * la + lb * lb - lab * lab) / (2 * la),
+                 y = std::sqrt(std::max(1e-12 * la * la, lb * lb - x * x));
+    const float *fa = features.of(features.target, a), *fb = features.of(features.target, b);
+    double gxx = 0, gxy = 0, gyy = 0;  // frames of different faces differ; only the trace and determinant matter below
+    for (int k = 0; k < features.dimension; ++k) {
+      const double w = matcher.weight()[k], dx = (fa[k] - origin[k]) / la, dy = ((fb[k] - origin[k]) - dx * x) / y;
+      gxx += w * dx * dx, gxy += w * dx * dy, gyy += w * dy * dy;
+    }
+    const double half = (gxx + gyy) / 2, apart = std::sqrt((gxx - gyy) * (gxx - gyy) / 4 + gxy * gxy);
+    information(0, 0) += (half + apart) / (last - first);
+    information(1, 1) += std::max(0.0, half - apart) / (last - first);
+  }
+  return std::sqrt(residual * (1 / std::max(1e-3, information(0, 0)) + 1 / std::max(1e-3, information(1, 1))));
+}
+
+}  // namespace
+
+DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
+                        const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
+                        const Context& context) {
+  DenseMap map;
+  const Features features = make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()),
+                                          options.reflection, nullptr, threads);
+  match(surface, features, refined.landmarks, fields, map, threads, context.part(0, 0.6));
+  std::vector<float> wanted;  // per vertex: the features of its partner
+  if (options.noise_filter) {
+    wanted = smooth_differences(surface, features, map.partner, threads, context);
+    for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
+  }
+  map.point.resize(surface.vertices());
+  map.uncertainty.resize(surface.vertices());
+  for_each_vertex(surface, features, kFine, threads, context.part(0.8, 1), [&](int v, Matcher& matcher) {
+    if (options.noise_filter) {
+      float error;
+      matcher.look_for(features.of(wanted, v));
+      map.partner[v] = matcher.descend(map.partner[v], error);
+    }
+    map.point[v] = on_face(surface, features, matcher, map.partner[v]);
+    map.uncertainty[v] =
+        static_cast<float>(position_uncertainty(surface, features, matcher, map.partner[v], map.residual[v]));
+  });
+  return map;
+}
+
+}  // namespace ga_symmetry

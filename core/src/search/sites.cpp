@@ -1,0 +1,141 @@
+#include "search/sites.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ga_symmetry/errors.h"
+#include "surface/curvature.h"
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+// Averages over geodesic discs around each site: how large they are, and how curved.
+Table disc_descriptors(const Surface& s, const DistanceFields& field, int threads, std::vector<float>& centricity) {
+  constexpr double kDiscs[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0};  // radii / unit
+  constexpr double kCurvature[] = {0.12, 0.25, 0.5};
+  constexpr int kFeatures = 1 + 8 + 2 * 3;
+  const int count = static_cast<int>(field.rows()), n = s.vertices();
+  const std::vector<double> curvature = integrated_mean_curvature(s);
+  const double unit = s.unit();
+  Table out(count, kFeatures);
+  centricity.resize(count);
+  parallel_for(count, threads, [&](int i, int) {
+    double mean = 0, disc[8] = {}, weight[3] = {}, bent[3] = {}, rough[3] = {};
+    for (int v = 0; v < n; ++v) {
+      const double d = field(i, v) / unit, area = s.vertex_area[v];
+      mean += d * area;
+      for (int k = 0; k < 8; ++k) disc[k] += d < kDiscs[k] ? area : 0;
+      for (int k = 0; k < 3; ++k) {
+        const double t = 1 - d / kCurvature[k];
+        if (t <= 0) continue;
+        const double w = t * t * (1 + 2 * d / kCurvature[k]);
+        weight[k] += w * area;
+        bent[k] += w * curvature[v];
+        rough[k] += w * std::abs(curvature[v]);
+      }
+    }
+    centricity[i] = static_cast<float>(mean / s.area);
+    int f = 0;
+    out(i, f++) = centricity[i];
+    for (double x : disc) out(i, f++) = static_cast<float>(std::sqrt(x / s.area));
+    for (int k = 0; k < 3; ++k) {
+      const double scale = weight[k] > 0 ? unit * kCurvature[k] / weight[k] : 0;
+      out(i, f++) = static_cast<float>(bent[k] * scale);
+      out(i, f++) = static_cast<float>(rough[k] * scale);
+    }
+  });
+  for (int k = 0; k < kFeatures; ++k) {
+    auto column = out.col(k).array();
+    column -= column.mean();
+    column /= std::max(1e-6f, std::sqrt(column.square().mean()));
+  }
+  return out;
+}
+
+std::vector<int> nearest_samples(const Sites& sites, int sample, int count) {
+  std::vector<int> order(sites.samples);
+  std::iota(order.begin(), order.end(), 0);
+  order.erase(order.begin() + sample);
+  count = std::min<int>(count, static_cast<int>(order.size()));
+  std::partial_sort(order.begin(), order.begin() + count, order.end(), [&](int a, int b) {
+    const float da = sites.distance(sample, a), db = sites.distance(sample, b);
+    return da != db ? da < db : a < b;
+  });
+  order.resize(count);
+  return order;
+}
+
+void relate(Sites& s, int neighbors) {
+  s.nearest_sample.resize(s.count());
+  for (int k = 0; k < s.count(); ++k) s.distance.row(k).head(s.samples).minCoeff(&s.nearest_sample[k]);
+  for (int i = 0; i < s.samples; ++i) s.neighbors.push_back(nearest_samples(s, i, neighbors));
+}
+
+std::vector<int> extremal_samples(const Sites& sites) {
+  const auto is_extremum = [&](int i, float sign) {
+    return std::all_of(sites.neighbors[i].begin(), sites.neighbors[i].end(),
+                       [&](int j) { return sign * sites.centricity[i] >= sign * sites.centricity[j]; });
+  };
+  std::vector<int> tips;
+  int center = 0;
+  for (int i = 0; i < sites.samples; ++i) {
+    if (is_extremum(i, 1)) tips.push_back(i);
+    if (sites.centricity[i] < sites.centricity[center]) center = i;
+  }
+  std::stable_sort(tips.begin(), tips.end(), [&](int a, int b) { return sites.centricity[a] > sites.centricity[b]; });
+  constexpr std::size_t kMaxTips = 14;  // more are noise of a rough surface; pairs of tips are what costs
+  if (tips.size() > kMaxTips) tips.resize(kMaxTips);
+  tips.push_back(center);
+  return tips;
+}
+
+Table slacks(const Samples& spaced, const Shortcuts& shortcuts) {
+  const int count = static_cast<int>(spaced.vertex.size());
+  Table out(count, count);
+  for (int i = 0; i < count; ++i) {
+    const auto slack = shortcuts.slack(spaced.distance.row(i).data());
+    for (int j = 0; j < count; ++j) out(i, j) = slack(spaced.vertex[j]);
+  }
+  return (out + out.transpose()) / 2;
+}
+
+}  // namespace
+
+Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
+                 int threads, const Shortcuts& shortcuts, const Context& context) {
+  Sites s;
+  const int count = std::min(sites, surface.vertices());
+  s.samples = std::min(samples, count);
+  Samples spaced = evenly_spaced_samples(surface, solver, count, threads, context);
+  const float unit = static_cast<float>(surface.unit());
+  s.distance = symmetric_distances(spaced) / unit;
+  if (!shortcuts.none()) {
+    s.slack = slacks(spaced, shortcuts) / unit;
+    s.distance -= s.slack;
+  }
+  s.vertex = std::move(spaced.vertex);
+  s.field = std::move(spaced.distance);
+  std::tie(s.cosine, s.sine) = directions(surface, s.vertex, s.field, threads);
+  s.descriptor = disc_descriptors(surface, s.field, threads, s.centricity);
+  relate(s, neighbors);
+  s.extremal = extremal_samples(s);
+  return s;
+}
+
+Sites coarsened(const Sites& fine, int samples, int sites) {
+  const int count = std::min(sites, fine.count());
+  Sites s;
+  s.samples = std::min({samples, fine.samples, count});
+  s.vertex.assign(fine.vertex.begin(), fine.vertex.begin() + count);
+  s.distance = fine.distance.topLeftCorner(count, count);
+  if (fine.slack.size() > 0) s.slack = fine.slack.topLeftCorner(count, count);
+  s.cosine = fine.cosine.topLeftCorner(count, count);
+  s.sine = fine.sine.topLeftCorner(count, count);
+  relate(s, static_cast<int>(fine.neighbors[0].size()));
+  return s;
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,42 @@
+// Everything that the joint search looks up about the sites it may choose from: tables, no geometry in its loops.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "ga_symmetry/context.h"
+#include "geodesics/sampling.h"
+#include "geodesics/shortcuts.h"
+#include "surface/surface.h"
+#include "surface/tangent_plane.h"
+
+namespace ga_symmetry {
+
+/// Evenly spaced sites; the first `samples` of them are the genes' own points, all are candidates for partners.
+/// Lengths are divided by the surface's unit.
+struct Sites {
+  int samples = 0;
+  std::vector<int> vertex;  ///< per site
+  DistanceFields field;     ///< sites x vertices, unit of the surface
+  Table distance;           ///< sites x sites, symmetric; where parts are missing, the middle of what it may be
+  Table slack;              ///< sites x sites: how much the distance may differ from that; empty = nowhere
+  Table cosine, sine;       ///< sites x sites: direction at the row's site towards the column's, in its tangent plane
+  Table descriptor;         ///< sites x features, each scaled to standard deviation 1
+  std::vector<float> centricity;            ///< per site: average geodesic distance to the surface
+  std::vector<int> nearest_sample;          ///< per site
+  std::vector<std::vector<int>> neighbors;  ///< per sample: its nearest samples, nearest first
+  std::vector<int> extremal;  ///< samples where centricity has a local maximum (tips, farthest first), and its minimum
+
+  int count() const { return static_cast<int>(vertex.size()); }
+};
+
+/// @param samples, sites  counts, samples <= sites; fewer where the surface has fewer vertices
+/// @param neighbors  samples that count as near
+/// @throws Cancelled
+/// Extremal points of the average geodesic distance: Kim et al. 2010.
+Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
+                 int threads, const Shortcuts& shortcuts = {}, const Context& context = {});
+
+/// The first of the sites alone, with their distances and directions but without fields, descriptors and tips.
+Sites coarsened(const Sites& fine, int samples, int sites);
+
+}  // namespace ga_symmetry

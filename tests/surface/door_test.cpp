@@ -1,0 +1,198 @@
+// The door: what a mesh must be, and what a bad one is told.
+#include <gtest/gtest.h>
+#include <vcg/complex/complex.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <string>
+
+#include "ga_symmetry/errors.h"
+#include "ga_symmetry/mesh.h"
+#include "shapes.h"
+#include "surface/surface.h"
+
+namespace ga_symmetry {
+namespace {
+
+struct BadMesh {
+  std::string name, says;
+  std::function<TriangleMesh()> make;
+};
+
+void PrintTo(const BadMesh& bad, std::ostream* out) { *out << bad.name; }
+
+class RefusedMesh : public testing::TestWithParam<BadMesh> {};
+
+TEST_P(RefusedMesh, InOneLineWithTheRemedy) {
+  const TriangleMesh mesh = GetParam().make();
+  for (bool largest : {false, true}) {
+    if (largest && GetParam().name == "two_components") continue;
+    try {
+      make_surface(mesh, largest);
+      ADD_FAILURE() << "was accepted";
+    } catch (const InvalidMesh& error) {
+      EXPECT_NE(std::string(error.what()).find(GetParam().says), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+}
+
+TriangleMesh with_face(int a, int b, int c) {
+  TriangleMesh mesh = shapes::sphere();
+  mesh.triangle.insert(mesh.triangle.end(), {a, b, c});
+  return mesh;
+}
+
+TriangleMesh with_coordinate(double x) {
+  TriangleMesh mesh = shapes::sphere();
+  mesh.position[7] = x;
+  return mesh;
+}
+
+TriangleMesh point_cloud() {
+  TriangleMesh mesh = shapes::sphere();
+  mesh.triangle.clear();
+  return mesh;
+}
+
+TriangleMesh flattened() {
+  TriangleMesh mesh = shapes::sphere();
+  for (std::size_t i = 0; i < mesh.position.size(); i += 3) mesh.position[i + 1] = mesh.position[i + 2] = 0;
+  return mesh;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Door, RefusedMesh,
+    testing::Values(
+        BadMesh{"empty", "empty", [] { return TriangleMesh(); }}, BadMesh{"point_cloud", "point cloud", point_cloud},
+        BadMesh{"single_triangle", "at least 20",
+                [] {
+                  return TriangleMesh{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}};
+                }},
+        BadMesh{"nineteen_vertices", "only 19",
+                [] {
+                  TriangleMesh mesh = shapes::globe(1, 17, [](double&, double&, double&) {});
+                  return mesh;
+                }},
+        BadMesh{"index_out_of_range", "refers to vertex 9999", [] { return with_face(0, 1, 9999); }},
+        BadMesh{"negative_index", "refers to vertex -1", [] { return with_face(0, 1, -1); }},
+        BadMesh{"three_faces_at_an_edge", "shared by more than two faces", [] { return with_face(0, 1, 100); }},
+        BadMesh{"a_face_twice", "shared by more than two faces",
+                [] {
+                  const TriangleMesh mesh = shapes::sphere();
+                  return with_face(mesh.triangle[0], mesh.triangle[1], mesh.triangle[2]);
+                }},
+        BadMesh{"a_corner_twice", "zero area", [] { return with_face(0, 0, 1); }},
+        BadMesh{"everything_on_a_line", "zero area", flattened},
+        BadMesh{"everything_at_a_point", "no extent", [] { return shapes::scaled(shapes::sphere(), 0); }},
+        BadMesh{"not_a_number", "not finite", [] { return with_coordinate(std::nan("")); }},
+        BadMesh{"infinite", "not finite", [] { return with_coordinate(std::numeric_limits<double>::infinity()); }},
+        BadMesh{"two_components", "2 components", [] { return shapes::joined(shapes::sphere(), shapes::body()); }}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(Door, KeepsTheLargestComponentWhenAsked) {
+  const TriangleMesh small = shapes::sphere(), large = shapes::body();
+  const Surface surface = make_surface(shapes::joined(small, large), true);
+  EXPECT_EQ(surface.vertices(), large.vertices());
+  EXPECT_EQ(surface.mesh_vertices, small.vertices() + large.vertices());
+  for (int v = 0; v < surface.vertices(); ++v) ASSERT_EQ(surface.mesh_vertex[v], small.vertices() + v);
+  ASSERT_EQ(surface.warnings.size(), 1u);
+  EXPECT_NE(surface.warnings[0].find("largest of 2 components"), std::string::npos) << surface.warnings[0];
+}
+
+TEST(Door, OrientsFacesAlike) {
+  TriangleMesh mesh = shapes::sphere();
+  for (std::size_t f = 0; f < mesh.triangle.size() / 3; f += 3)
+    std::swap(mesh.triangle[3 * f], mesh.triangle[3 * f + 1]);
+  const Surface surface = make_surface(mesh);
+  EXPECT_TRUE(surface.orientable);
+  EXPECT_TRUE(surface.closed);
+  for (int c = 0; c < 3 * surface.triangles(); ++c) {
+    const int o = surface.opposite[c];
+    ASSERT_GE(o, 0);
+    ASSERT_EQ(surface.opposite[o], c);
+    ASSERT_EQ(surface.triangle[next_corner(c)], surface.triangle[previous_corner(o)]);
+    ASSERT_EQ(surface.triangle[previous_corner(c)], surface.triangle[next_corner(o)]);
+  }
+}
+
+TEST(Door, TellsAMoebiusStrip) {
+  const Surface surface = make_surface(shapes::moebius_strip());
+  EXPECT_FALSE(surface.orientable);
+  EXPECT_FALSE(surface.closed);
+  ASSERT_EQ(surface.warnings.size(), 1u);
+  EXPECT_NE(surface.warnings[0].find("one side"), std::string::npos) << surface.warnings[0];
+}
+
+TEST(Door, ScaleMakesNoDifference) {
+  const TriangleMesh mesh = shapes::body();
+  const Surface one = make_surface(mesh);
+  for (double factor : {1e-30, 1e-3, 1e30}) {
+    const Surface other = make_surface(shapes::scaled(mesh, factor));
+    ASSERT_EQ(other.triangle, one.triangle);
+    EXPECT_NEAR(other.area / one.area, 1, 1e-12) << factor;
+    // Each coordinate is rounded twice: by the factor, and by the division through the extent.
+    for (std::size_t i = 0; i < one.position.size(); ++i) ASSERT_NEAR(other.position[i], one.position[i], 1e-15);
+  }
+}
+
+TEST(Door, LeavesOutVerticesOfNoFace) {
+  const TriangleMesh sphere = shapes::sphere();
+  TriangleMesh mesh;
+  mesh.position = {9, 9, 9};
+  mesh.position.insert(mesh.position.end(), sphere.position.begin(), sphere.position.end());
+  for (int v : sphere.triangle) mesh.triangle.push_back(v + 1);
+  const Surface surface = make_surface(mesh);
+  EXPECT_EQ(surface.vertices(), sphere.vertices());
+  EXPECT_EQ(surface.mesh_vertex.front(), 1);
+}
+
+class DoorVertex;
+class DoorFace;
+struct DoorTypes : vcg::UsedTypes<vcg::Use<DoorVertex>::AsVertexType, vcg::Use<DoorFace>::AsFaceType> {};
+class DoorVertex : public vcg::Vertex<DoorTypes, vcg::vertex::Coord3f, vcg::vertex::BitFlags> {};
+class DoorFace : public vcg::Face<DoorTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class DoorMesh : public vcg::tri::TriMesh<std::vector<DoorVertex>, std::vector<DoorFace>> {};
+using DoorAllocator = vcg::tri::Allocator<DoorMesh>;
+
+void to_vcglib(const TriangleMesh& mesh, DoorMesh& m) {
+  DoorAllocator::AddVertices(m, mesh.vertices());
+  for (int v = 0; v < mesh.vertices(); ++v)
+    for (int k = 0; k < 3; ++k) m.vert[v].P()[k] = static_cast<float>(mesh.position[3 * v + k]);
+  for (std::size_t f = 0; f < mesh.triangle.size(); f += 3)
+    DoorAllocator::AddFace(m, mesh.triangle[f], mesh.triangle[f + 1], mesh.triangle[f + 2]);
+}
+
+TEST(Door, TakesAVcglibMeshAsItIs) {
+  const TriangleMesh mesh = shapes::sphere();
+  DoorMesh m;
+  to_vcglib(mesh, m);
+  const TriangleMesh out = to_triangle_mesh(m);
+  EXPECT_EQ(out.triangle, mesh.triangle);
+  ASSERT_EQ(out.position.size(), mesh.position.size());
+  for (std::size_t i = 0; i < out.position.size(); ++i)
+    ASSERT_EQ(out.position[i], static_cast<float>(mesh.position[i]));
+}
+
+TEST(Door, DeletedVerticesKeepTheirSlots) {
+  const TriangleMesh small = shapes::sphere(), large = shapes::body();
+  DoorMesh m;
+  to_vcglib(shapes::joined(small, large), m);
+  for (std::size_t f = 0; f < m.face.size(); ++f)
+    if (f < static_cast<std::size_t>(small.triangles())) DoorAllocator::DeleteFace(m, m.face[f]);
+  for (int v = 0; v < small.vertices(); ++v) {
+    m.vert[v].P()[0] = std::numeric_limits<float>::quiet_NaN();  // what a deleted vertex holds is nobody's business
+    DoorAllocator::DeleteVertex(m, m.vert[v]);
+  }
+  const TriangleMesh mesh = to_triangle_mesh(m);
+  EXPECT_EQ(mesh.vertices(), small.vertices() + large.vertices());
+  EXPECT_EQ(mesh.triangles(), large.triangles());
+  const Surface surface = make_surface(mesh);
+  EXPECT_EQ(surface.vertices(), large.vertices());
+  EXPECT_EQ(surface.mesh_vertex.front(), small.vertices());
+}
+
+}  // namespace
+}  // namespace ga_symmetry
