@@ -107,12 +107,12 @@ std::vector<Figures> measure(const std::string& path, std::uint64_t seed, bool a
     out.emplace_back().seconds = thread_seconds() - begin;
   }
   std::vector<std::vector<int>> partners;
-  for (const Result& r : results) partners.push_back(r.partner);
+  for (const Result& r : results) partners.push_back(r.partners.partner);
   const std::vector<Evaluation> evaluations = evaluate_partners(mesh, known.truth, partners, 1);
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Evaluation& e = evaluations[k];
     std::vector<double> fitness;
-    for (int v : e.vertex) fitness.push_back(results[k].fitness[v]);
+    for (int v : e.vertex) fitness.push_back(results[k].partners.fitness[v]);
     out[k] = {e.mean,         e.corr,       e.involution, rank_correlation(fitness, e.error), best_80(fitness, e.error),
               out[k].seconds, e.corr > 0.75};
   }

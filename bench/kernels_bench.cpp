@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "matching/dense_map.h"
+#include "matching/ranking.h"
 #include "search/joint.h"
 #include "spheres.h"
 #include "surface/proxy.h"
@@ -55,14 +56,14 @@ const Scene& scene() {
 
 void joint_cost(benchmark::State& state) {
   const Scene& s = scene();
-  const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
+  const JointProblem problem(s.sites, s.surface, SymmetryKind::reflection, {}, s.options);
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(problem.cost(s.itself));
 }
 BENCHMARK(joint_cost)->Unit(benchmark::kMicrosecond);
 
 void joint_evaluation(benchmark::State& state) {
   const Scene& s = scene();
-  const JointProblem problem(s.sites, s.surface, s.solver, SymmetryKind::reflection, {}, s.options);
+  const JointProblem problem(s.sites, s.surface, SymmetryKind::reflection, {}, s.options);
   for ([[maybe_unused]] auto _ : state) {
     SampleMap map = problem.polar_map(0, 1, 0);
     benchmark::DoNotOptimize(problem.evaluate(map, 0));
@@ -74,13 +75,9 @@ void dense_map(benchmark::State& state) {
   const Scene& s = scene();
   HeatDiffusion diffusion(s.surface);
   const CurvatureFeatures curvature = curvature_features(s.surface, diffusion);
-  const DistanceFields fields = s.sites.field.topRows(s.sites.samples);
-  RefinedLandmarks refined;
-  refined.landmarks.from.assign(s.sites.vertex.begin(), s.sites.vertex.begin() + s.sites.samples);
-  refined.landmarks.to = refined.landmarks.from;
-  refined.to_field = fields;
-  for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(make_dense_map(s.surface, refined, fields, curvature, {}, 1));
+  const Shortcuts none;
+  const Matching matching{s.surface, s.solver, none, curvature, images_of(s.itself, s.sites, {}), 0, true};
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(make_dense_map(matching, matching.landmarks, true, 1));
   state.counters["vertices"] = s.surface.vertices();
 }
 BENCHMARK(dense_map)->Unit(benchmark::kMillisecond);

@@ -80,7 +80,7 @@ MethodOutput search(const MethodInput& in, Options options, const Context& conte
   options.threads = in.threads;
   options.largest_component = true;
   Result result = find_symmetry(in.mesh, options, context);
-  MethodOutput out{std::move(result.partner), std::move(result.log), result.stop, 0};
+  MethodOutput out{std::move(result.partners.partner), std::move(result.log), result.stop, 0};
   for (const StageTime& stage : result.seconds)
     if (stage.stage == "search") out.search_seconds = stage.seconds;
   return out;

@@ -86,7 +86,7 @@ void run(TriangleMesh mesh, const bench::KnownSymmetry& known, int levels, const
     const Surface surface = make_surface(mesh);
     const double measure = yardstick(surface);
     std::printf("%9d %9.2f %10.2f %7.3f %8ld %7.4f ", surface.vertices(), seconds, measure, seconds / measure,
-                usage.ru_maxrss / 1024, mean_error(surface, known, result.partner));
+                usage.ru_maxrss / 1024, mean_error(surface, known, result.partners.partner));
     for (const StageTime& stage : result.seconds) std::printf(" %s %.2f", stage.stage.c_str(), stage.seconds);
     std::printf("\n");
     std::fflush(stdout);

@@ -70,7 +70,8 @@ Options to_options(const RichParameterList& list) {
 }
 
 // The text rules; without it four selected vertices do; without those, and if allowed, there are none.
-References choose_references(const std::string& text, bool automatic, const CMeshO& m, const TriangleMesh& mesh) {
+References choose_references(const std::string& text, bool automatic, const CMeshO& m, const TriangleMesh& mesh,
+                             const Options& options, const Context& context) {
   References given = parse_references(text);
   if (!given.empty()) return given;
   std::vector<int> selected;
@@ -81,7 +82,7 @@ References choose_references(const std::string& text, bool automatic, const CMes
     ++index;
   }
   if (selected.size() == 4)
-    return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]});
+    return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]}, options, context);
   if (selected.empty() && automatic) return {};
   throw InvalidOption(
       "select exactly four vertices: two on the symmetry axis and one left-right pair; " +
@@ -96,7 +97,7 @@ void log_summary(const Result& result, const FilterRun& run) {
     used += (used.empty() ? "" : ",") + std::to_string(p[0]) + ":" + std::to_string(p[1]);
   run.log("References: " + (used.empty() ? std::string("none") : used));
   run.log("Found: " + std::string(to_string(result.kind)) + ", " + std::to_string(result.matched) + " of " +
-          std::to_string(result.partner.size()) + " vertices matched, " + std::to_string(result.pairs.size()) +
+          std::to_string(result.partners.partner.size()) + " vertices matched, " + std::to_string(result.pairs.size()) +
           " pairs of samples, mean fitness " + text("%.4g", result.mean_fitness) + ", confidence " +
           text("%.2f", result.confidence));
   run.log("Search: " + std::to_string(result.log.size()) + " generations, stopped: " + to_string(result.stop));
@@ -118,12 +119,15 @@ FilterOutputs apply(const FilterRun& run) {
   const std::string path = run.parameters.getSaveFileName("export_to").toLocal8Bit().toStdString();
   if (!path.empty()) check_result_path(path);
   const TriangleMesh mesh = mesh_of(m);
-  options.references = choose_references(run.parameters.getString("references").toStdString(),
-                                         run.parameters.getBool("automatic"), m, mesh);
+  constexpr double kSelectionRead = 0.1;  // progress
+  const Context context = context_of(run);
+  options.references =
+      choose_references(run.parameters.getString("references").toStdString(), run.parameters.getBool("automatic"), m,
+                        mesh, options, context.part(0, kSelectionRead));
 
-  const Result result = find_symmetry(mesh, options, context_of(run));
+  const Result result = find_symmetry(mesh, options, context.part(kSelectionRead, 1));
   if (!path.empty()) write_result(path, mesh, result);
-  store_partners(layer, {result.partner, result.fitness, result.side});
+  store_partners(layer, result.partners);
   log_summary(result, run);
   return {{"matched", result.matched},
           {"mean_fitness", result.mean_fitness},

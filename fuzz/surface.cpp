@@ -46,10 +46,10 @@ TriangleMesh make_mesh(fuzz::Bytes& in) {
 
 void check(const TriangleMesh& mesh, const Result& r) {
   const auto n = static_cast<std::size_t>(mesh.vertices());
-  if (r.partner.size() != n || r.fitness.size() != n || r.side.size() != n) std::abort();
+  if (r.partners.partner.size() != n || r.partners.fitness.size() != n || r.partners.side.size() != n) std::abort();
   for (std::size_t v = 0; v < n; ++v)
-    if (r.partner[v] < -1 || r.partner[v] >= mesh.vertices() || !(r.fitness[v] >= 0) || std::isinf(r.fitness[v]) ||
-        std::abs(r.side[v]) > 1)
+    if (r.partners.partner[v] < -1 || r.partners.partner[v] >= mesh.vertices() || !(r.partners.fitness[v] >= 0) ||
+        std::isinf(r.partners.fitness[v]) || std::abs(r.partners.side[v]) > 1)
       std::abort();
 }
 

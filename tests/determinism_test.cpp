@@ -95,7 +95,7 @@ class OtherClothes : public testing::TestWithParam<Method> {
     for (int v = static_cast<int>(to.size()); v < n; ++v) to.push_back(v);
     options_.references.axis = {to[shape_.axis[0]], to[shape_.axis[1]]};
     options_.references.pairs = {{to[shape_.pair[0]], to[shape_.pair[1]]}};
-    const std::vector<int> partner = find_symmetry(mesh, options_).partner;
+    const std::vector<int> partner = find_symmetry(mesh, options_).partners.partner;
     std::vector<int> from(n), out(n);
     for (int v = 0; v < n; ++v) from[to[v]] = v;
     for (int v = 0; v < n; ++v) out[v] = partner[to[v]] < 0 ? -1 : from[partner[to[v]]];

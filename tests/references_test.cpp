@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,6 +11,7 @@
 #include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "shapes.h"
+#include "symmetric_shapes.h"
 
 namespace ga_symmetry {
 namespace {
@@ -58,7 +60,7 @@ TEST(ReferencesFromSelection, AnyOrderOfTheFourAndOfTheVertices) {
   std::array<int, 4> selected{to[posed.head], to[posed.foot], to[posed.left], to[posed.right]};
   std::sort(selected.begin(), selected.end());
   do {
-    const References r = references_from_selection(mesh, selected);
+    const References r = references_from_selection(mesh, selected, {});
     std::vector<int> axis = r.axis;
     ASSERT_EQ(axis.size(), 2u);
     ASSERT_EQ(r.pairs.size(), 1u);
@@ -74,7 +76,7 @@ TEST(ReferencesFromSelection, RefusesAmbiguousSelections) {
   const TriangleMesh sphere = shapes::sphere(23, 24);
   const int equator = 11 * 24;
   try {
-    references_from_selection(sphere, {equator, equator + 6, equator + 12, equator + 18});
+    references_from_selection(sphere, {equator, equator + 6, equator + 12, equator + 18}, {});
     ADD_FAILURE();
   } catch (const InvalidOption& error) {
     EXPECT_NE(std::string(error.what()).find("can be read"), std::string::npos) << error.what();
@@ -84,18 +86,47 @@ TEST(ReferencesFromSelection, RefusesAmbiguousSelections) {
 TEST(ReferencesFromSelection, RefusesRepeatedAndForeignVertices) {
   Posed posed;
   const int n = posed.mesh.vertices();
-  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, posed.left}), InvalidOption);
-  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, n}), InvalidOption);
-  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, -1}), InvalidOption);
-  EXPECT_THROW(references_from_selection({}, {0, 1, 2, 3}), InvalidOption);
+  Options options;
+  options.largest_component = true;
+  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, posed.left}, options),
+               InvalidOption);
+  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, n}, options), InvalidOption);
+  EXPECT_THROW(references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, -1}, options), InvalidOption);
+  EXPECT_THROW(references_from_selection({}, {0, 1, 2, 3}, options), InvalidOption);
   TriangleMesh mesh = shapes::joined(posed.mesh, shapes::sphere());
-  EXPECT_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, n + 3}), InvalidOption);
-  EXPECT_NO_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, posed.right}));
+  EXPECT_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, n + 3}, options), InvalidOption);
+  EXPECT_NO_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, posed.right}, options));
   mesh.position.insert(mesh.position.end(), {0, 0, 0});
-  EXPECT_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, mesh.vertices() - 1}),
+  EXPECT_THROW(references_from_selection(mesh, {posed.head, posed.foot, posed.left, mesh.vertices() - 1}, options),
                InvalidOption);
   mesh.triangle.clear();
-  EXPECT_THROW(references_from_selection(mesh, {0, 1, 2, 3}), InvalidMesh);
+  EXPECT_THROW(references_from_selection(mesh, {0, 1, 2, 3}, options), InvalidMesh);
+}
+
+// Of a large mesh the surface that the search would use is measured, not all its vertices.
+TEST(ReferencesFromSelection, MeasuresTheSurfaceThatIsSearched) {
+  const shapes::Symmetric shape = shapes::shuffled(shapes::creature(5), 3);
+  const std::array<int, 4> selected{shape.pair[0], shape.axis[1], shape.pair[1], shape.axis[0]};
+  std::vector<std::string> stages;
+  Context context;
+  context.progress = [&](double, const char* stage) { stages.push_back(stage); };
+  Options options;
+  options.proxy = 1000;
+  options.threads = 1;
+  const References read = references_from_selection(shape.mesh, selected, options, context);
+  EXPECT_EQ(read.axis,
+            (std::vector<int>{std::min(shape.axis[0], shape.axis[1]), std::max(shape.axis[0], shape.axis[1])}));
+  EXPECT_GT(std::count(stages.begin(), stages.end(), "simplifying"), 0);
+  options.threads = 4;
+  EXPECT_EQ(references_from_selection(shape.mesh, selected, options).pairs, read.pairs);
+}
+
+TEST(ReferencesFromSelection, Cancels) {
+  const Posed posed;
+  const std::atomic<bool> stop{true};
+  EXPECT_THROW(
+      references_from_selection(posed.mesh, {posed.head, posed.foot, posed.left, posed.right}, {}, {nullptr, &stop}),
+      Cancelled);
 }
 
 TEST(ReferencesFromSelection, TellsTheRolesOnPosedAnimalsAndPeople) {
@@ -112,7 +143,7 @@ TEST(ReferencesFromSelection, TellsTheRolesOnPosedAnimalsAndPeople) {
     for (int& v : refs) in >> v;
     ASSERT_TRUE(in) << path;
     const References r =
-        references_from_selection(read_mesh(entry.path().string()), {refs[3], refs[0], refs[2], refs[1]});
+        references_from_selection(read_mesh(entry.path().string()), {refs[3], refs[0], refs[2], refs[1]}, {});
     EXPECT_EQ(r.axis, (std::vector<int>{std::min(refs[0], refs[1]), std::max(refs[0], refs[1])})) << path;
   }
   EXPECT_GT(meshes, 0);

@@ -152,8 +152,8 @@ void run_methods(const Arguments& a, const Subject& subject, bool pictured, Step
   }
   const Surface surface = make_surface(subject.mesh, true);
   const GeodesicSolver solver(surface);
-  const std::vector<int> patch = sample_patches(
-      evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), a.threads, steps.inner()));
+  const std::vector<int> patch = nearest_source(
+      evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), a.threads, steps.inner()).field);
   picture.patch.assign(subject.mesh.vertices(), -1);
   for (int v = 0; v < surface.vertices(); ++v) picture.patch[surface.mesh_vertex[v]] = patch[v];
   Options options;  // figure 3, and left and right, are what a user gets
@@ -162,8 +162,8 @@ void run_methods(const Arguments& a, const Subject& subject, bool pictured, Step
   options.threads = a.threads;
   options.largest_component = true;
   const Result found = find_symmetry(subject.mesh, options, steps.inner());
-  picture.side = found.side;
-  picture.pairs = spread_pairs(subject.mesh, {found.partner, found.fitness, found.side}, 40, steps.inner());
+  picture.side = found.partners.side;
+  picture.pairs = spread_pairs(subject.mesh, found.partners, 40, steps.inner());
   out.pictures.push_back(std::move(picture));
 }
 

@@ -57,7 +57,7 @@ void print_summary(const Result& r) {
               r.symmetries.size(), r.confidence);
   std::printf("references    %s\n", join({r.axis_references, r.pair_references}).c_str());
   std::printf("pairs         %zu\n", r.pairs.size());
-  std::printf("matched       %d of %zu vertices\n", r.matched, r.partner.size());
+  std::printf("matched       %d of %zu vertices\n", r.matched, r.partners.partner.size());
   std::printf("mean fitness  %.6g\n", r.mean_fitness);
   std::printf("generations   %zu (stopped: %s)\n", r.log.size(), to_string(r.stop));
   std::printf("seconds      ");
@@ -77,7 +77,7 @@ void print_summary_json(const Result& r) {
                               {"axis_references", r.axis_references},
                               {"pair_references", r.pair_references},
                               {"pairs", r.pairs.size()},
-                              {"vertices", r.partner.size()},
+                              {"vertices", r.partners.partner.size()},
                               {"matched", r.matched},
                               {"mean_fitness", r.mean_fitness},
                               {"generations", r.log.size()},

@@ -90,7 +90,7 @@ class Summary {
     std::string warnings;
     for (const std::string& warning : r.warnings) warnings += (warnings.empty() ? "" : "; ") + warning;
     Table row("");
-    row.cell(static_cast<int>(r.partner.size())).cell(r.matched).cell(r.confidence).cell(r.mean_fitness);
+    row.cell(static_cast<int>(r.partners.partner.size())).cell(r.matched).cell(r.confidence).cell(r.mean_fitness);
     row.cell(static_cast<int>(r.log.size())).cell(seconds);
     put(name, "done", row.text().substr(1), warnings);
   }

@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
+#include "ga_symmetry/options.h"
 #include "geodesics/geodesics.h"
 #include "geodesics/sampling.h"
+#include "search_surface.h"
 #include "surface/surface.h"
 #include "util/text_scan.h"
 
@@ -79,19 +81,19 @@ double distribution_distance(const Surface& surface, const DistanceFields& field
   return sum;
 }
 
-// The four distances of every surface point, as points of a space of their own.
-using Signatures = Eigen::Matrix<float, 4, Eigen::Dynamic>;
-using SignatureTree = nanoflann::KDTreeEigenMatrixAdaptor<Signatures, 4, nanoflann::metric_L2, false>;
+// Per surface vertex its distances to the four references: a point in four dimensions, found by a k-d tree.
+using FourDistances = Eigen::Matrix<float, 4, Eigen::Dynamic>;
+using FourDistancesTree = nanoflann::KDTreeEigenMatrixAdaptor<FourDistances, 4, nanoflann::metric_L2, false>;
 
-// How far the four distances of all surface points are from being kept when c and d change places: if the symmetry
-// exists, some vertex has the distances (a,b,d,c) wherever another has (a,b,c,d). The root mean square of what the best
-// vertex misses, over the probes. The four vertices' mutual distances, d(a,c) = d(a,d) and d(b,c) = d(b,d), are part of
-// it; alone they are ambiguous wherever the four lie like a square.
-double exchange_residual(const Signatures& signatures, const SignatureTree& tree, const std::vector<int>& probes,
+// A symmetry that exchanges c and d takes each vertex, with distances (a,b,c,d), to one with distances (a,b,d,c). This
+// is the root mean square distance, over the probes, from the exchanged distances to the nearest that some vertex has.
+// The four vertices' mutual distances alone do not tell: they are the same for several readings where the four lie like
+// a square.
+double exchange_residual(const FourDistances& distances, const FourDistancesTree& tree, const std::vector<int>& probes,
                          const Reading& reading) {
   double sum = 0;
   for (int probe : probes) {
-    Eigen::Vector4f wanted = signatures.col(probe);
+    Eigen::Vector4f wanted = distances.col(probe);
     std::swap(wanted[reading.c], wanted[reading.d]);
     Eigen::Index vertex;
     float squared;
@@ -132,7 +134,8 @@ References parse_references(const std::string& text) {
   return references;
 }
 
-References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected) {
+References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected,
+                                     const Options& options, const Context& context) {
   std::array<int, 4> vertex = selected;
   std::sort(vertex.begin(), vertex.end());
   for (int i = 0; i < 4; ++i) {
@@ -142,26 +145,24 @@ References references_from_selection(const TriangleMesh& mesh, const std::array<
     if (i > 0 && vertex[i] == vertex[i - 1])
       throw InvalidOption("vertex " + std::to_string(vertex[i]) + " is selected twice: select four different ones");
   }
-  const Surface surface = make_surface(mesh, true);
-  std::vector<int> source;
-  for (int v : vertex) {
-    const auto at = std::lower_bound(surface.mesh_vertex.begin(), surface.mesh_vertex.end(), v);
-    if (at == surface.mesh_vertex.end() || *at != v)
-      throw InvalidOption("selected vertex " + std::to_string(v) + " is not on the largest component of the surface");
-    source.push_back(static_cast<int>(at - surface.mesh_vertex.begin()));
-  }
-  const DistanceFields fields = GeodesicSolver(surface).fields(source, 0);
+  const SearchSurface search(make_surface(mesh, options.largest_component, context.part(0, 0.1)), options,
+                             context.part(0.1, 0.8));
+  const Surface& surface = search.searched();
+  const std::vector<int> sources = search.locate({{vertex[0], vertex[1], vertex[2], vertex[3]}, {}}).axis;
+  const DistanceFields fields = GeodesicSolver(surface).fields(sources, options.threads, context.part(0.8, 0.9));
   Random random(1);
   const std::vector<int> probes = uniform_sample_vertices(surface, std::min(kProbes, surface.vertices()), random);
 
-  const Signatures signatures = fields;
-  const SignatureTree tree(4, std::cref(signatures));
+  const FourDistances distances = fields;
+  const FourDistancesTree tree(4, std::cref(distances));
   std::vector<std::pair<double, const Reading*>> ranking;
-  for (const Reading& r : kReadings)
+  for (const Reading& r : kReadings) {
+    if (context.cancelled()) throw Cancelled();
     ranking.push_back(
-        {(exchange_residual(signatures, tree, probes, r) + distribution_distance(surface, fields, r.c, r.d)) /
+        {(exchange_residual(distances, tree, probes, r) + distribution_distance(surface, fields, r.c, r.d)) /
              surface.unit(),
          &r});
+  }
   std::sort(ranking.begin(), ranking.end());
   const auto axis = [&](const Reading& r) { return std::to_string(vertex[r.a]) + "," + std::to_string(vertex[r.b]); };
   const auto pair = [&](const Reading& r) { return std::to_string(vertex[r.c]) + "," + std::to_string(vertex[r.d]); };

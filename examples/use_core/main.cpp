@@ -17,7 +17,8 @@ int main(int argc, char** argv) try {
   int mask = 0;
   if (argc != 2 || vcg::tri::io::ImporterOFF<Mesh>::Open(mesh, argv[1], mask) != 0) return 2;
   const ga_symmetry::Result result = ga_symmetry::find_symmetry(ga_symmetry::to_triangle_mesh(mesh));
-  for (std::size_t v = 0; v < result.partner.size(); ++v) std::printf("%zu %d\n", v, result.partner[v]);
+  for (std::size_t v = 0; v < result.partners.partner.size(); ++v)
+    std::printf("%zu %d\n", v, result.partners.partner[v]);
 } catch (const ga_symmetry::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -26,9 +26,9 @@ TriangleMesh lopsided() {
   return mesh;
 }
 
-bool same(const Samples& a, const Samples& b) {
-  return a.vertex == b.vertex && a.distance.size() == b.distance.size() &&
-         std::memcmp(a.distance.data(), b.distance.data(), sizeof(float) * a.distance.size()) == 0;
+bool same(const Landmarks& a, const Landmarks& b) {
+  return a.vertex == b.vertex && a.field.size() == b.field.size() &&
+         std::memcmp(a.field.data(), b.field.data(), sizeof(float) * a.field.size()) == 0;
 }
 
 class Sampled : public ::testing::Test {
@@ -38,48 +38,67 @@ class Sampled : public ::testing::Test {
 };
 
 TEST_F(Sampled, KeepTheFieldsOfTheirVertices) {
-  const Samples samples = evenly_spaced_samples(surface, solver, 12, 1);
+  const Landmarks samples = evenly_spaced_samples(surface, solver, 12, 1);
   const DistanceFields fields = solver.fields(samples.vertex, 1);
-  EXPECT_EQ(0, std::memcmp(fields.data(), samples.distance.data(), sizeof(float) * fields.size()));
+  EXPECT_EQ(0, std::memcmp(fields.data(), samples.field.data(), sizeof(float) * fields.size()));
 }
 
 TEST_F(Sampled, EvenlySpacedAreNested) {
-  const Samples many = evenly_spaced_samples(surface, solver, 60, 1),
-                few = evenly_spaced_samples(surface, solver, 17, 1);
+  const Landmarks many = evenly_spaced_samples(surface, solver, 60, 1),
+                  few = evenly_spaced_samples(surface, solver, 17, 1);
   EXPECT_TRUE(std::equal(few.vertex.begin(), few.vertex.end(), many.vertex.begin()));
 }
 
 TEST_F(Sampled, EvenlySpacedCoverAsFarAsTheyAreApart) {
-  const Samples samples = evenly_spaced_samples(surface, solver, 60, 1);
+  const Landmarks samples = evenly_spaced_samples(surface, solver, 60, 1);
   float previous = std::numeric_limits<float>::infinity();
   for (int k = 2; k <= 60; ++k) {
-    const float cover = samples.distance.topRows(k).colwise().minCoeff().maxCoeff();
+    const float cover = samples.field.topRows(k).colwise().minCoeff().maxCoeff();
     EXPECT_LE(cover, previous) << "a further sample never covers less";
     previous = cover;
     float apart = std::numeric_limits<float>::infinity();
     for (int i = 0; i < k; ++i)
-      for (int j = 0; j < i; ++j) apart = std::min(apart, samples.distance(j, samples.vertex[i]));
+      for (int j = 0; j < i; ++j) apart = std::min(apart, samples.field(j, samples.vertex[i]));
     EXPECT_GE(apart, cover);
   }
 }
 
 TEST_F(Sampled, EvenlySpacedAreTheSameOnAnyNumberOfThreads) {
-  const Samples one = evenly_spaced_samples(surface, solver, 80, 1);
+  const Landmarks one = evenly_spaced_samples(surface, solver, 80, 1);
   for (const int threads : {0, 2, 3, 4, 9}) EXPECT_TRUE(same(one, evenly_spaced_samples(surface, solver, 80, threads)));
 }
 
 TEST_F(Sampled, EvenlySpacedAreTheSameUnderAnotherNumbering) {
   std::vector<int> to;
   const Surface other = make_surface(shapes::shuffled(lopsided(), 23, &to));
-  const Samples a = evenly_spaced_samples(surface, solver, 40, 1);
-  const Samples b = evenly_spaced_samples(other, GeodesicSolver(other), 40, 1);
+  const Landmarks a = evenly_spaced_samples(surface, solver, 40, 1);
+  const Landmarks b = evenly_spaced_samples(other, GeodesicSolver(other), 40, 1);
   for (int i = 0; i < 40; ++i) EXPECT_EQ(to[a.vertex[i]], b.vertex[i]) << i;
 }
 
 TEST_F(Sampled, EvenlySpacedCanBeAllVertices) {
   const Surface small = make_surface(shapes::sphere(5, 8));
-  Samples all = evenly_spaced_samples(small, GeodesicSolver(small), small.vertices(), 4);
+  Landmarks all = evenly_spaced_samples(small, GeodesicSolver(small), small.vertices(), 4);
   EXPECT_EQ(static_cast<int>(std::set<int>(all.vertex.begin(), all.vertex.end()).size()), small.vertices());
+}
+
+TEST_F(Sampled, FarthestPointsOfAPartAreItsOwnAndNested) {
+  std::vector<int> upper;
+  for (int v = 0; v < surface.vertices(); ++v)
+    if (surface.point(v)[2] > 0) upper.push_back(v);
+  const std::vector<int> many = farthest_points(surface, solver, upper, 40),
+                         few = farthest_points(surface, solver, upper, 11);
+  ASSERT_EQ(many.size(), 40u);
+  EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
+  const DistanceFields fields = solver.fields(many, 1);
+  for (int k = 1; k < 40; ++k) {
+    const auto nearest = [&](int v) { return fields.topRows(k).col(v).minCoeff(); };
+    for (const int v : upper) ASSERT_LE(nearest(v), nearest(many[k]) * (1 + 1e-5f)) << k;
+  }
+  const std::vector<int> all = farthest_points(surface, solver, upper, 1000000);
+  EXPECT_EQ(std::set<int>(all.begin(), all.end()), std::set<int>(upper.begin(), upper.end()));
+  EXPECT_EQ(all.size(), upper.size());
+  EXPECT_TRUE(farthest_points(surface, solver, {}, 5).empty());
 }
 
 TEST_F(Sampled, UniformAreAllDifferent) {
@@ -90,9 +109,9 @@ TEST_F(Sampled, UniformAreAllDifferent) {
 
 TEST_F(Sampled, UniformFollowTheSeed) {
   Random a(4), b(4), c(5);
-  const Samples first = uniform_samples(surface, solver, 30, a, 1);
-  EXPECT_TRUE(same(first, uniform_samples(surface, solver, 30, b, 4)));
-  EXPECT_NE(first.vertex, uniform_samples(surface, solver, 30, c, 1).vertex);
+  const std::vector<int> first = uniform_sample_vertices(surface, 30, a);
+  EXPECT_EQ(first, uniform_sample_vertices(surface, 30, b));
+  EXPECT_NE(first, uniform_sample_vertices(surface, 30, c));
 }
 
 TEST_F(Sampled, UniformFollowTheAreaNotTheVertices) {
@@ -112,29 +131,28 @@ TEST_F(Sampled, UniformFollowTheAreaNotTheVertices) {
 }
 
 TEST_F(Sampled, DistancesBetweenThemAreSymmetric) {
-  const Samples samples = evenly_spaced_samples(surface, solver, 50, 1);
+  const Landmarks samples = evenly_spaced_samples(surface, solver, 50, 1);
   const Eigen::MatrixXf d = symmetric_distances(samples);
   ASSERT_EQ(d.rows(), 50);
   ASSERT_EQ(d.cols(), 50);
   for (int i = 0; i < 50; ++i)
     for (int j = 0; j < 50; ++j) {
       EXPECT_EQ(d(i, j), d(j, i));
-      EXPECT_NEAR(d(i, j), 0.5f * (samples.distance(i, samples.vertex[j]) + samples.distance(j, samples.vertex[i])),
-                  1e-6);
+      EXPECT_NEAR(d(i, j), 0.5f * (samples.field(i, samples.vertex[j]) + samples.field(j, samples.vertex[i])), 1e-6);
       EXPECT_EQ(d(i, j) == 0, i == j);
     }
 }
 
 TEST_F(Sampled, PatchesBelongToTheNearestSample) {
-  const Samples samples = evenly_spaced_samples(surface, solver, 25, 1);
-  const std::vector<int> patch = sample_patches(samples);
+  const Landmarks samples = evenly_spaced_samples(surface, solver, 25, 1);
+  const std::vector<int> patch = nearest_source(samples.field);
   ASSERT_EQ(static_cast<int>(patch.size()), surface.vertices());
   for (int i = 0; i < 25; ++i) EXPECT_EQ(patch[samples.vertex[i]], i);
   for (int v = 0; v < surface.vertices(); ++v)
     for (int i = 0; i < 25; ++i) {
-      ASSERT_LE(samples.distance(patch[v], v), samples.distance(i, v));
+      ASSERT_LE(samples.field(patch[v], v), samples.field(i, v));
       if (i < patch[v]) {
-        ASSERT_LT(samples.distance(patch[v], v), samples.distance(i, v));
+        ASSERT_LT(samples.field(patch[v], v), samples.field(i, v));
       }
     }
 }
@@ -144,7 +162,6 @@ TEST_F(Sampled, RefuseACountOutOfRange) {
   for (const int bad : {-1, 0, surface.vertices() + 1}) {
     EXPECT_THROW(evenly_spaced_samples(surface, solver, bad, 1), InvalidOption);
     EXPECT_THROW(uniform_sample_vertices(surface, bad, random), InvalidOption);
-    EXPECT_THROW(uniform_samples(surface, solver, bad, random, 1), InvalidOption);
   }
 }
 
@@ -152,9 +169,8 @@ TEST_F(Sampled, StopWhenAskedTo) {
   const std::atomic<bool> cancel{true};
   Context context;
   context.cancel = &cancel;
-  Random random(1);
   EXPECT_THROW(evenly_spaced_samples(surface, solver, 10, 1, context), Cancelled);
-  EXPECT_THROW(uniform_samples(surface, solver, 10, random, 2, context), Cancelled);
+  EXPECT_THROW(farthest_points(surface, solver, {1, 2, 3}, 3, context), Cancelled);
 }
 
 }  // namespace

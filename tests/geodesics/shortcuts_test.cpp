@@ -150,11 +150,11 @@ TEST(Shortcuts, DistancesCostOnlyWhatIsBeyondTheirSlack) {
   SampleMap map(20);
   for (int& site : map) site = static_cast<int>(draw_below(random, 60));
   const auto cost = [&](const SampleMap& m) {
-    return JointProblem(sites, s, solver, SymmetryKind::reflection, {}, only).cost(m);
+    return JointProblem(sites, s, SymmetryKind::reflection, {}, only).cost(m);
   };
   const double known = cost(map);
   // Best responses lower that same cost, gene by gene.
-  const JointProblem problem(sites, s, solver, SymmetryKind::reflection, {}, only);
+  const JointProblem problem(sites, s, SymmetryKind::reflection, {}, only);
   SampleMap better = map;
   problem.best_response(better, std::numeric_limits<float>::infinity());
   EXPECT_LT(problem.cost(better), known);

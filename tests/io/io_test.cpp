@@ -324,12 +324,12 @@ Result made_up(const TriangleMesh& mesh) {
   Result r;
   Random random(1);
   for (int v = 0; v < mesh.vertices(); ++v) {
-    r.partner.push_back(v % 7 ? mesh.vertices() - 1 - v : -1);
-    r.fitness.push_back(v % 5 ? draw_unit(random) / 3 : 0);
-    r.side.push_back(v % 3 - 1);
+    r.partners.partner.push_back(v % 7 ? mesh.vertices() - 1 - v : -1);
+    r.partners.fitness.push_back(v % 5 ? draw_unit(random) / 3 : 0);
+    r.partners.side.push_back(v % 3 - 1);
     r.partner_point.push_back({{v, 0, 1}, {0.25, 0.25, 0.5}});
   }
-  r.fitness[1] = 1e-17;
+  r.partners.fitness[1] = 1e-17;
   r.order = 2;
   r.pairs = {{1, 2, 0.1}, {3, 4, 1.0 / 3}};
   r.axis = {{{{0, 1, 2}, {1, 0, 0}}, {{0, 1, 2}, {0.5, 0.5, 0}}}};
@@ -361,15 +361,15 @@ TEST_F(WriteResult, CsvContract) {
     double fitness;
     ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%lf,%d", &vertex, &partner, &fitness, &side), 4) << line;
     EXPECT_EQ(vertex, v);
-    EXPECT_EQ(partner, result.partner[v]);
-    EXPECT_EQ(fitness, result.fitness[v]) << "not the same double: " << line;
-    EXPECT_EQ(side, result.side[v]);
+    EXPECT_EQ(partner, result.partners.partner[v]);
+    EXPECT_EQ(fitness, result.partners.fitness[v]) << "not the same double: " << line;
+    EXPECT_EQ(side, result.partners.side[v]);
   }
   EXPECT_FALSE(std::getline(in, line)) << "one row too many";
   const Partners back = read_partners(path("a.csv"), mesh);
-  EXPECT_EQ(back.partner, result.partner);
-  EXPECT_EQ(back.fitness, result.fitness);
-  EXPECT_EQ(back.side, result.side);
+  EXPECT_EQ(back.partner, result.partners.partner);
+  EXPECT_EQ(back.fitness, result.partners.fitness);
+  EXPECT_EQ(back.side, result.partners.side);
 }
 
 TEST_F(WriteResult, JsonIsReadBackOntoItsMeshOnly) {
@@ -377,9 +377,9 @@ TEST_F(WriteResult, JsonIsReadBackOntoItsMeshOnly) {
   const Result result = made_up(mesh);
   write_result(path("a.json"), mesh, result);
   const Partners back = read_partners(path("a.json"), mesh);
-  EXPECT_EQ(back.partner, result.partner);
-  EXPECT_EQ(back.fitness, result.fitness);
-  EXPECT_EQ(back.side, result.side);
+  EXPECT_EQ(back.partner, result.partners.partner);
+  EXPECT_EQ(back.fitness, result.partners.fitness);
+  EXPECT_EQ(back.side, result.partners.side);
   const auto refusal = [&](const std::string& file, const TriangleMesh& other) {
     try {
       read_partners(path(file), other);
@@ -418,9 +418,9 @@ TEST_F(WriteResult, JsonHoldsEverythingButSeconds) {
   EXPECT_EQ(json["seed"], result.seed);
   EXPECT_EQ(json["matched"], 42);
   EXPECT_EQ(json["confidence"], 0.75);
-  EXPECT_EQ(json["partner"].get<std::vector<int>>(), result.partner);
-  EXPECT_EQ(json["fitness"].get<std::vector<double>>(), result.fitness);
-  EXPECT_EQ(json["side"].get<std::vector<int>>(), result.side);
+  EXPECT_EQ(json["partner"].get<std::vector<int>>(), result.partners.partner);
+  EXPECT_EQ(json["fitness"].get<std::vector<double>>(), result.partners.fitness);
+  EXPECT_EQ(json["side"].get<std::vector<int>>(), result.partners.side);
   EXPECT_EQ(json["partner_point"][3], nlohmann::json({3, 0, 1, 0.25, 0.25, 0.5}));
   EXPECT_EQ(json["pairs"][1]["fitness"], 1.0 / 3);
   EXPECT_EQ(json["axis"][0][1], nlohmann::json({0, 1, 2, 0.5, 0.5, 0.0}));
@@ -464,14 +464,14 @@ TEST_F(WriteResult, PlyIsReadByVcglib) {
   ASSERT_EQ(vcg::tri::io::ImporterPLY<FileMesh>::Open(m, path("a.ply").c_str(), mask), 0);
   EXPECT_TRUE(mask & vcg::tri::io::Mask::IOM_VERTQUALITY);
   EXPECT_TRUE(mask & vcg::tri::io::Mask::IOM_VERTCOLOR);
-  const double top = ramp_top(result.partner, result.fitness);
+  const double top = ramp_top(result.partners.partner, result.partners.fitness);
   for (int v = 0; v < mesh.vertices(); ++v) {
-    ASSERT_EQ(m.vert[v].cQ(), static_cast<float>(result.fitness[v]));
+    ASSERT_EQ(m.vert[v].cQ(), static_cast<float>(result.partners.fitness[v]));
     const vcg::Color4b color = m.vert[v].cC();
-    if (result.fitness[v] == 0) {
+    if (result.partners.fitness[v] == 0) {
       EXPECT_EQ(color, vcg::Color4b(vcg::Color4b::Blue)) << v;
     }
-    if (result.fitness[v] > top) {
+    if (result.partners.fitness[v] > top) {
       EXPECT_EQ(color, vcg::Color4b(vcg::Color4b::Red)) << v;
     }
   }
@@ -489,23 +489,23 @@ TEST_F(WriteResult, PlyIsReadByVcglib) {
   for (int v = 0; v < mesh.vertices(); ++v) {
     float attributes[3];
     std::memcpy(attributes, text.data() + end + kRow * (v + 1) - sizeof attributes, sizeof attributes);
-    ASSERT_EQ(attributes[0], result.partner[v]);
-    ASSERT_EQ(attributes[1], static_cast<float>(result.fitness[v]));
-    ASSERT_EQ(attributes[2], result.side[v]);
+    ASSERT_EQ(attributes[0], result.partners.partner[v]);
+    ASSERT_EQ(attributes[1], static_cast<float>(result.partners.fitness[v]));
+    ASSERT_EQ(attributes[2], result.partners.side[v]);
   }
 }
 
 TEST_F(WriteResult, PerfectFitnessIsBlue) {
   const TriangleMesh mesh = shapes::sphere();
   Result result = made_up(mesh);
-  std::fill(result.fitness.begin(), result.fitness.end(), 0.0);
+  std::fill(result.partners.fitness.begin(), result.partners.fitness.end(), 0.0);
   write_result(path("a.ply"), mesh, result);
   FileMesh m;
   int mask = 0;
   ASSERT_EQ(vcg::tri::io::ImporterPLY<FileMesh>::Open(m, path("a.ply").c_str(), mask), 0);
   for (const FileVertex& v : m.vert) ASSERT_EQ(v.cC(), vcg::Color4b(vcg::Color4b::Blue));
-  std::fill(result.partner.begin(), result.partner.end(), -1);
-  EXPECT_EQ(ramp_top(result.partner, result.fitness), 0);
+  std::fill(result.partners.partner.begin(), result.partners.partner.end(), -1);
+  EXPECT_EQ(ramp_top(result.partners.partner, result.partners.fitness), 0);
   EXPECT_NO_THROW(write_result(path("a.ply"), mesh, result));
 }
 

@@ -31,8 +31,9 @@ const Scene& scene() {
 
 JointProblem problem(const JointOptions& options, const References& references = {}) {
   const Scene& s = scene();
-  return JointProblem(s.sites, s.surface, s.solver, SymmetryKind::reflection,
-                      make_anchors(references, SymmetryKind::reflection), options);
+  return JointProblem(s.sites, s.surface, SymmetryKind::reflection,
+                      make_anchors({references.axis, references.pairs}, SymmetryKind::reflection, s.solver, 1),
+                      options);
 }
 
 SampleMap random_map(std::uint64_t seed) {
@@ -60,18 +61,6 @@ double mean_error(const TriangleMesh& mesh, const std::vector<int>& truth, const
     sum += field(0, partner[v]) / surface.unit();
   }
   return sum / count;
-}
-
-TEST(Anchors, AReflectionTakesAPairBothWays) {
-  References r;
-  r.axis = {5};
-  r.pairs = {{1, 2}};
-  const auto both = make_anchors(r, SymmetryKind::reflection);
-  ASSERT_EQ(both.size(), 3u);
-  EXPECT_EQ(both[0].image, 5);
-  EXPECT_EQ(both[2].vertex, 2);
-  EXPECT_EQ(both[2].image, 1);
-  EXPECT_EQ(make_anchors(r, SymmetryKind::rotation).size(), 2u);
 }
 
 TEST(Directions, AnglesBetweenSourcesAreThoseOfThePlane) {
@@ -344,17 +333,17 @@ TEST_F(FindJointly, TruthByConstructionWithReferences) {
   Options o;
   o.references = references_of(shape_);
   const Result r = find_symmetry(shape_.mesh, o);
-  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partners.partner), 0.04);
   EXPECT_EQ(r.matched, shape_.mesh.vertices());
-  EXPECT_EQ(r.side[shape_.pair[0]], 1) << "l is on the left";
-  EXPECT_EQ(r.side[shape_.pair[1]], -1);
+  EXPECT_EQ(r.partners.side[shape_.pair[0]], 1) << "l is on the left";
+  EXPECT_EQ(r.partners.side[shape_.pair[1]], -1);
   ASSERT_FALSE(r.axis.empty());
   EXPECT_EQ(r.axis[0].front().vertex, r.axis[0].back().vertex) << "the axis of a closed surface is closed";
 }
 
 TEST_F(FindJointly, TruthByConstructionWithoutReferences) {
   const Result r = find_symmetry(shape_.mesh);
-  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partners.partner), 0.04);
 }
 
 TEST_F(FindJointly, ThreadsChangeNothing) {
@@ -362,15 +351,15 @@ TEST_F(FindJointly, ThreadsChangeNothing) {
   one.threads = 1, four.threads = 4;
   one.joint.max_generations = four.joint.max_generations = 3;
   const Result a = find_symmetry(shape_.mesh, one), b = find_symmetry(shape_.mesh, four);
-  EXPECT_EQ(a.partner, b.partner);
-  EXPECT_EQ(a.fitness, b.fitness);
-  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.partners.partner, b.partners.partner);
+  EXPECT_EQ(a.partners.fitness, b.partners.fitness);
+  EXPECT_EQ(a.partners.side, b.partners.side);
 }
 
 TEST_F(FindJointly, PoseAndScaleOfTheWholeChangeNothing) {
   const TriangleMesh moved = shapes::moved(shape_.mesh, 1e6);
   const Result r = find_symmetry(moved);
-  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partner), 0.04);
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, r.partners.partner), 0.04);
 }
 
 TEST_F(FindJointly, StopsWhenAskedTo) {
@@ -390,11 +379,11 @@ TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
   Options o;
   o.references = references_of(shape_);
   o.local_refinement = o.noise_filter = false;
-  const double neither = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  const double neither = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
   o.local_refinement = true;
-  const double refined = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  const double refined = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
   o.noise_filter = true;
-  const double both = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partner);
+  const double both = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
   EXPECT_LT(both, neither);
   EXPECT_LT(refined, neither);
   EXPECT_LT(both, 1.02 * refined);
@@ -406,19 +395,19 @@ TEST_F(FindJointly, AboveTheLargestFitnessThereIsNoPartner) {
   const Result all = find_symmetry(shape_.mesh, o);
   o.max_fitness = all.mean_fitness;
   const Result some = find_symmetry(shape_.mesh, o);
-  const double worst = *std::max_element(all.fitness.begin(), all.fitness.end());
+  const double worst = *std::max_element(all.partners.fitness.begin(), all.partners.fitness.end());
   int matched = 0;
   for (int v = 0; v < shape_.mesh.vertices(); ++v) {
-    const bool kept = all.fitness[v] <= o.max_fitness;
+    const bool kept = all.partners.fitness[v] <= o.max_fitness;
     matched += kept;
-    EXPECT_EQ(some.partner[v], kept ? all.partner[v] : -1);
-    EXPECT_EQ(some.fitness[v], kept ? all.fitness[v] : worst);
+    EXPECT_EQ(some.partners.partner[v], kept ? all.partners.partner[v] : -1);
+    EXPECT_EQ(some.partners.fitness[v], kept ? all.partners.fitness[v] : worst);
     EXPECT_EQ(some.partner_point[v].vertex[0] < 0, !kept);
   }
   EXPECT_EQ(some.matched, matched);
   EXPECT_GT(matched, 0);
   EXPECT_LT(matched, shape_.mesh.vertices());
-  for (const SymmetricPair& pair : some.pairs) EXPECT_GE(some.partner[pair.vertex], 0);
+  for (const SymmetricPair& pair : some.pairs) EXPECT_GE(some.partners.partner[pair.vertex], 0);
   EXPECT_LT(some.pairs.size(), all.pairs.size());
 }
 
@@ -457,7 +446,7 @@ TEST(FindRotation, ThePinwheelTurnsByAThird) {
   o.references.pairs = {{l, r}};
   const Result result = find_symmetry(mesh, o);
   EXPECT_EQ(result.order, 3);
-  const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partner);
+  const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partners.partner);
   EXPECT_LT(e.mean, 0.05);
 }
 
@@ -473,13 +462,13 @@ TEST(BrokenSymmetry, DisturbsOnlyWhatIsAffected) {
     ASSERT_TRUE(refs >> o.references.axis[0] >> o.references.axis[1] >> o.references.pairs[0][0] >>
                 o.references.pairs[0][1]);
     const Result result = find_symmetry(mesh, o);
-    const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partner);
+    const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), result.partners.partner);
     EXPECT_GT(e.corr, 0.98);
     EXPECT_LT(e.mean, 0.04);
     std::vector<char> affected(mesh.vertices(), 0);
     for (int v; list >> v;) affected[v] = 1;
     std::vector<double> there, elsewhere;
-    for (int v = 0; v < mesh.vertices(); ++v) (affected[v] ? there : elsewhere).push_back(result.fitness[v]);
+    for (int v = 0; v < mesh.vertices(); ++v) (affected[v] ? there : elsewhere).push_back(result.partners.fitness[v]);
     ASSERT_FALSE(there.empty());
     // The chance that an affected vertex has a higher fitness than another one.
     std::sort(elsewhere.begin(), elsewhere.end());
@@ -494,7 +483,7 @@ TEST(BrokenSymmetry, DisturbsOnlyWhatIsAffected) {
 TEST(BrokenSymmetry, WithoutReferencesTheStumpIsTakenToTheHandsArm) {
   const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/person_wave_no_hand";
   const TriangleMesh mesh = read_mesh(base + ".off");
-  const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), find_symmetry(mesh).partner);
+  const Evaluation e = evaluate_partners(mesh, read_truth(base + ".truth"), find_symmetry(mesh).partners.partner);
   EXPECT_GT(e.corr, 0.98);
 }
 
@@ -527,7 +516,7 @@ TEST(ListSymmetries, TheTrefoilHasThreeReflectionsAndTwoTurns) {
     o.rank = rank;
     const Result r = find_symmetry(mesh, o);
     for (int k = 0; k < 3; ++k)
-      if (mean_error(mesh, mirrors[k], r.partner) < 0.1) seen.insert(k);  // the others are 0.6 off
+      if (mean_error(mesh, mirrors[k], r.partners.partner) < 0.1) seen.insert(k);  // the others are 0.6 off
   }
   EXPECT_EQ(seen.size(), 3u);
 }

@@ -19,7 +19,7 @@ namespace ga_symmetry {
 std::vector<SymmetricPair> spread_pairs(const TriangleMesh& mesh, const Partners& partners, int count,
                                         const Context& context = {});
 
-/// The axis as polylines on the faces, longest first, nothing shorter than a tenth of the whole; a closed one
+/// The axis as polylines on the faces, longest first, nothing shorter than a twentieth of the whole; a closed one
 /// repeats its first point. Where the distances to evenly spread vertices of the left and to their partners are equal:
 /// a smooth line, though each single partner is off by a little. On a surface without a border it leaves one piece on
 /// each side: one closed line, or as many as the surface has handles, and one more.

@@ -8,7 +8,7 @@ namespace ga_symmetry {
 
 struct Partners {
   std::vector<int> partner;     ///< per vertex: its partner's index, -1 = none
-  std::vector<double> fitness;  ///< per vertex: >= 0, 0 is perfect
+  std::vector<double> fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless
   std::vector<int> side;        ///< per vertex: +1 left, 0 on the axis, -1 right; all 0 for a rotation
 };
 

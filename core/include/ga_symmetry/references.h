@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/context.h"
 #include "ga_symmetry/mesh.h"
 
 namespace ga_symmetry {
+
+struct Options;
 
 /// Reference vertices that the user knows; all indices are vertices of the mesh. Empty = automatic.
 struct References {
@@ -22,8 +25,11 @@ References parse_references(const std::string& text);
 
 /// Works out which two of four selected vertices lie on the axis and which two are the pair: the pair (c,d) has
 /// d(a,c) = d(a,d) and d(b,c) = d(b,d), by geodesic distance. Order of the input does not matter.
+/// @param options  of the search that the references are for: measured is the surface that it would search
 /// @throws InvalidOption  if two readings are equally good, or a vertex is out of range or repeated
 /// @throws InvalidMesh    as find_symmetry
-References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected);
+/// @throws Cancelled
+References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected,
+                                     const Options& options, const Context& context = {});
 
 }  // namespace ga_symmetry

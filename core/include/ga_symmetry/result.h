@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/partners.h"
+
 namespace ga_symmetry {
 
 enum class SymmetryKind { reflection, rotation };
@@ -49,10 +51,7 @@ struct StageTime {
 
 /// Result of find_symmetry. Vertex indices are those of the TriangleMesh that was given.
 struct Result {
-  std::vector<int> partner;  ///< per vertex: its partner's index, -1 = none
-  std::vector<double>
-      fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless; of a vertex without partner: the largest found
-  std::vector<int> side;                    ///< per vertex: +1 left, 0 on the axis, -1 right
+  Partners partners;                        ///< the fitness of a vertex without partner is the largest found
   std::vector<SurfacePoint> partner_point;  ///< per vertex: the partner as a point on a face (vertex -1 = none)
 
   SymmetryKind kind = SymmetryKind::reflection;

@@ -1,50 +1,28 @@
-#include <algorithm>
-#include <limits>
 #include <string>
 
+#include "axis/divide.h"
 #include "axis/sides.h"
 #include "ga_symmetry/axis.h"
 #include "ga_symmetry/errors.h"
-#include "geodesics/geodesics.h"
+#include "geodesics/sampling.h"
 #include "partners/partnered_surface.h"
+#include "surface/neighbors.h"
 
 namespace ga_symmetry {
 namespace {
 
 constexpr int kLandmarks = 100;  // pairs whose distances place the axis
 constexpr int kSmoothing = 10;   // rounds
-constexpr double kShortestAxis = 0.1;
 
 // Surface vertices, as spread_pairs says.
 std::vector<int> spread_vertices(const PartneredSurface& shape, const GeodesicSolver& solver, int count,
                                  const Context& context) {
-  const int n = shape.surface.vertices();
   const Partners& p = shape.partners;
   std::vector<int> allowed;
-  for (int v = 0; v < n; ++v)
+  for (int v = 0; v < shape.surface.vertices(); ++v)
     if (p.partner[v] >= 0 && p.partner[v] != v && (!shape.has_sides || (p.side[v] > 0 && p.side[p.partner[v]] <= 0)))
       allowed.push_back(v);
-  std::vector<int> out;
-  if (allowed.empty()) return out;
-  const auto workspace = solver.make_workspace();
-  std::vector<float> field(n), nearest(n, std::numeric_limits<float>::infinity());
-  const auto farthest = [&](const std::vector<float>& distance) {
-    return *std::max_element(allowed.begin(), allowed.end(), [&](int a, int b) { return distance[a] < distance[b]; });
-  };
-  // The first is an end of the shape, whatever the numbering.
-  solver.field(
-      *std::max_element(allowed.begin(), allowed.end(),
-                        [&](int a, int b) { return shape.surface.vertex_area[a] < shape.surface.vertex_area[b]; }),
-      field.data(), *workspace);
-  int next = farthest(field);
-  while (static_cast<int>(out.size()) < count && nearest[next] > 0) {
-    if (context.cancelled()) throw Cancelled();
-    out.push_back(next);
-    solver.field(next, field.data(), *workspace);
-    for (int v = 0; v < n; ++v) nearest[v] = std::min(nearest[v], field[v]);
-    next = farthest(nearest);
-  }
-  return out;
+  return farthest_points(shape.surface, solver, allowed, count, context);
 }
 
 // What of the function the symmetry turns into its negative: where the sides of a shape differ, the middle of its
@@ -58,12 +36,9 @@ std::vector<float> antisymmetric(const PartneredSurface& shape, const std::vecto
     const std::vector<float> before = out;
     for (int v = 0; v < surface.vertices(); ++v) {
       float sum = 0;
-      for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
-        const int c = surface.corner_at[i];
-        sum += before[surface.triangle[next_corner(c)]] + before[surface.triangle[previous_corner(c)]];
-      }
-      out[v] =
-          0.5f * before[v] + 0.25f * sum / static_cast<float>(surface.first_corner[v + 1] - surface.first_corner[v]);
+      int count = 0;
+      for_each_neighbor(surface, v, [&](int w) { sum += before[w], ++count; });
+      out[v] = 0.5f * (before[v] + sum / static_cast<float>(count));
     }
   }
   return out;
@@ -87,14 +62,12 @@ std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, cons
   const PartneredSurface shape(mesh, partners);
   if (!shape.has_sides) throw InvalidOption("there is no left and no right, as after a rotation: it has no axis line");
   const GeodesicSolver solver(shape.surface);
-  Landmarks landmarks;
-  landmarks.from = spread_vertices(shape, solver, kLandmarks, context);
-  for (const int v : landmarks.from) landmarks.to.push_back(shape.partners.partner[v]);
-  const DistanceFields from = solver.fields(landmarks.from, threads, context),
-                       to = solver.fields(landmarks.to, threads, context);
-  std::vector<float> function = antisymmetric(shape, left_right_function(shape.surface, landmarks, from, to, 0));
-  connect_sides(shape.surface, function);
-  auto lines = zero_set(shape.surface, function, kShortestAxis);
+  Landmarks left, right;
+  left.vertex = spread_vertices(shape, solver, kLandmarks, context);
+  for (const int v : left.vertex) right.vertex.push_back(shape.partners.partner[v]);
+  left.field = solver.fields(left.vertex, threads, context);
+  right.field = solver.fields(right.vertex, threads, context);
+  auto lines = divide(shape.surface, antisymmetric(shape, left_right_function(shape.surface, left, right, 0))).axis;
   for (auto& line : lines)
     for (SurfacePoint& point : line)
       for (int& v : point.vertex) v = shape.surface.mesh_vertex[v];

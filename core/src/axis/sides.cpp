@@ -8,6 +8,8 @@
 #include <numeric>
 #include <queue>
 
+#include "surface/neighbors.h"
+
 namespace ga_symmetry {
 namespace {
 
@@ -16,18 +18,18 @@ constexpr float kNear2 = 0.02f;  // squared distance, in units, within which all
 // Each pair's label, +1 if its first landmark is on the left. Neighbours are on the same side; the labels that agree
 // best with all of that at once are the signs of an eigenvector, so no doubtful pair leads the others astray. Source:
 // Singer, Angular synchronization by eigenvectors and semidefinite programming, 2011; here the angles are signs.
-std::vector<float> label_pairs(const Landmarks& landmarks, const DistanceFields& from, const DistanceFields& to,
-                               float unit, int left) {
-  const int count = static_cast<int>(landmarks.from.size());
+std::vector<float> label_pairs(const Landmarks& from, const Landmarks& to, float unit, int left) {
+  const int count = static_cast<int>(from.vertex.size());
   std::vector<float> apart(count);
-  for (int i = 0; i < count; ++i) apart[i] = from(i, landmarks.to[i]);
+  for (int i = 0; i < count; ++i) apart[i] = from.field(i, to.vertex[i]);
   const double reach = unit / std::sqrt(static_cast<double>(count));  // how far apart landmarks are
   const auto near = [&](double distance) { return std::exp(-0.5 * distance * distance / (reach * reach)); };
   Eigen::MatrixXd agreement(count, count);
   for (int i = 0; i < count; ++i)
     for (int j = 0; j < count; ++j) {
-      const int v = landmarks.from[j], w = landmarks.to[j];
-      agreement(i, j) = i == j ? 0 : near(from(i, v)) + near(to(i, w)) - near(from(i, w)) - near(to(i, v));
+      const int v = from.vertex[j], w = to.vertex[j];
+      agreement(i, j) =
+          i == j ? 0 : near(from.field(i, v)) + near(to.field(i, w)) - near(from.field(i, w)) - near(to.field(i, v));
     }
   agreement = (0.5 * (agreement + agreement.transpose())).eval();
   Eigen::VectorXd scale = agreement.cwiseAbs().rowwise().sum();
@@ -41,15 +43,6 @@ std::vector<float> label_pairs(const Landmarks& landmarks, const DistanceFields&
     label[i] = sign > 0 ? 1.f : sign < 0 ? -1.f : 0.f;
   }
   return label;
-}
-
-template <class Visit>
-void for_each_neighbor(const Surface& surface, int v, const Visit& visit) {
-  for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
-    const int corner = surface.corner_at[i];
-    visit(surface.triangle[next_corner(corner)]);
-    visit(surface.triangle[previous_corner(corner)]);
-  }
 }
 
 // A connected part of the surface where the function has one sign.
@@ -98,6 +91,18 @@ Pieces pieces_of(const Surface& surface, const std::vector<float>& function) {
   return out;
 }
 
+// Whether, since the pieces were told apart, one has lost a vertex to the other side or has come to touch another of
+// its own side.
+bool is_joined(const Surface& surface, const std::vector<float>& function, const Pieces& pieces, int number) {
+  const Piece& piece = pieces.piece[number];
+  return std::any_of(piece.vertices.begin(), piece.vertices.end(), [&](int v) {
+    bool joined = (function[v] > 0) != piece.positive;
+    for_each_neighbor(
+        surface, v, [&](int w) { joined = joined || (pieces.of[w] != number && (function[w] > 0) == piece.positive); });
+    return joined;
+  });
+}
+
 // The vertices of the other side through which a piece reaches the rest of its own side, if that changes less than to
 // give the piece up. Empty if not.
 std::vector<int> bridge(const Surface& surface, const std::vector<float>& function, const Pieces& pieces, int number) {
@@ -105,6 +110,7 @@ std::vector<int> bridge(const Surface& surface, const std::vector<float>& functi
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   std::map<int, std::pair<double, int>> reached;  // vertex -> change on the way there, vertex before
+  const auto own = [&](int v) { return (function[v] > 0) == piece.positive; };
   const auto reach = [&](int v, double change, int before) {
     if (change >= piece.change) return;
     const auto [at, fresh] = reached.try_emplace(v, change, before);
@@ -117,14 +123,13 @@ std::vector<int> bridge(const Surface& surface, const std::vector<float>& functi
     const auto [change, v] = queue.top();
     queue.pop();
     if (change > reached[v].first) continue;
-    if (pieces.piece[pieces.of[v]].positive == piece.positive && pieces.of[v] != number) {
+    if (own(v) && pieces.of[v] != number) {
       std::vector<int> way;
       for (int w = reached[v].second; pieces.of[w] != number; w = reached[w].second) way.push_back(w);
       return way;
     }
     for_each_neighbor(surface, v, [&, at = change, from = v](int w) {
-      const bool own = pieces.piece[pieces.of[w]].positive == piece.positive;
-      reach(w, at + (own ? 0 : change_of(surface, function, w)), from);
+      reach(w, at + (own(w) ? 0 : change_of(surface, function, w)), from);
     });
   }
   return {};
@@ -132,14 +137,13 @@ std::vector<int> bridge(const Surface& surface, const std::vector<float>& functi
 
 }  // namespace
 
-std::vector<float> left_right_function(const Surface& surface, const Landmarks& landmarks, const DistanceFields& from,
-                                       const DistanceFields& to, int left) {
+std::vector<float> left_right_function(const Surface& surface, const Landmarks& from, const Landmarks& to, int left) {
   const float unit = static_cast<float>(surface.unit());
-  const std::vector<float> label = label_pairs(landmarks, from, to, unit, left);
+  const std::vector<float> label = label_pairs(from, to, unit, left);
   std::vector<float> out(surface.vertices(), 0.f), total(out);
   for (std::size_t i = 0; i < label.size(); ++i)
     for (int v = 0; v < surface.vertices(); ++v) {
-      const float a = from(i, v) / unit, b = to(i, v) / unit, near = std::min(a, b);
+      const float a = from.field(i, v) / unit, b = to.field(i, v) / unit, near = std::min(a, b);
       const float weight = 1 / (near * near + kNear2);
       out[v] += weight * label[i] * (b - a);
       total[v] += weight;
@@ -161,105 +165,36 @@ std::vector<int> sides(const Surface& surface, const std::vector<float>& functio
   return side;
 }
 
-void connect_sides(const Surface& surface, std::vector<float>& function) {
-  Pieces pieces = pieces_of(surface, function);
-  for (std::size_t rounds = pieces.piece.size(); rounds > 0; --rounds) {
-    int largest[2] = {-1, -1}, smallest = -1;
-    const auto area = [&](int number) { return pieces.piece[number].area; };
+int connect_sides(const Surface& surface, std::vector<float>& function) {
+  int rounds = 0;
+  for (std::size_t most = surface.vertices(); most > 0; --most) {
+    const Pieces pieces = pieces_of(surface, function);
+    ++rounds;
     const int count = static_cast<int>(pieces.piece.size());
+    const auto area = [&](int number) { return pieces.piece[number].area; };
+    int largest[2] = {-1, -1};
     for (int i = 0; i < count; ++i) {
       int& side = largest[pieces.piece[i].positive];
       if (side < 0 || area(i) > area(side)) side = i;
     }
+    std::vector<int> stray;
     for (int i = 0; i < count; ++i)
-      if (i != largest[0] && i != largest[1] && !pieces.piece[i].border && (smallest < 0 || area(i) < area(smallest)))
-        smallest = i;
-    if (smallest < 0) return;
-    const bool positive = pieces.piece[smallest].positive;
-    std::vector<int> over = bridge(surface, function, pieces, smallest);
-    const bool joins = !over.empty();
-    if (!joins) over = pieces.piece[smallest].vertices;
-    for (const int v : over) {
-      const float size = std::max(std::abs(function[v]), std::numeric_limits<float>::min());
-      function[v] = positive == joins ? size : -size;
-    }
-    pieces = pieces_of(surface, function);
-  }
-}
-
-std::vector<std::vector<SurfacePoint>> zero_set(const Surface& surface, const std::vector<float>& function,
-                                                double shortest) {
-  const auto positive = [&](int v) { return function[v] > 0; };
-  // Nodes are crossed edges, named by their two vertices; every crossed face links two of them.
-  using Edge = std::pair<int, int>;
-  std::map<Edge, std::array<int, 2>> faces_at;  // crossed edge -> faces, -1 = none
-  for (int f = 0; f < surface.triangles(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const int a = surface.triangle[3 * f + k], b = surface.triangle[3 * f + (k + 1) % 3];
-      if (positive(a) == positive(b)) continue;
-      auto [at, fresh] = faces_at.try_emplace({std::min(a, b), std::max(a, b)}, std::array<int, 2>{f, -1});
-      if (!fresh) at->second[1] = f;
-    }
-  const auto point = [&](const Edge& e) {
-    const double a = function[e.first], b = function[e.second], t = a == b ? 0.5 : a / (a - b);
-    return SurfacePoint{{e.first, e.second, e.second}, {1 - t, t, 0}};
-  };
-  const auto other_edge = [&](int f, const Edge& e) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = surface.triangle[3 * f + k], b = surface.triangle[3 * f + (k + 1) % 3];
-      const Edge other{std::min(a, b), std::max(a, b)};
-      if (other != e && positive(a) != positive(b)) return other;
-    }
-    return e;
-  };
-  std::map<Edge, bool> visited;
-  std::vector<std::vector<SurfacePoint>> lines;
-  const auto walk = [&](Edge e, int face) {  // from e through face, until the border or a visited edge
-    std::vector<SurfacePoint> line{point(e)};
-    visited[e] = true;
-    const Edge start = e;
-    while (face >= 0) {
-      const Edge next = other_edge(face, e);
-      if (next == e) break;
-      line.push_back(point(next));
-      if (next == start) break;
-      if (visited[next]) break;
-      visited[next] = true;
-      const auto& at = faces_at[next];
-      face = at[0] == face ? at[1] : at[0];
-      e = next;
-    }
-    return line;
-  };
-  for (const auto& [edge, faces] : faces_at)  // open ones start at the border
-    if (faces[1] < 0 && !visited[edge]) lines.push_back(walk(edge, faces[0]));
-  for (const auto& [edge, faces] : faces_at)
-    if (!visited[edge]) lines.push_back(walk(edge, faces[0]));
-
-  std::vector<double> length;
-  for (const auto& line : lines) {
-    double sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      double square = 0;
-      for (int k = 0; k < 3; ++k) {
-        double delta = 0;
-        for (int c = 0; c < 3; ++c)
-          delta += line[i].weight[c] * surface.point(line[i].vertex[c])[k] -
-                   line[i - 1].weight[c] * surface.point(line[i - 1].vertex[c])[k];
-        square += delta * delta;
+      if (i != largest[0] && i != largest[1] && !pieces.piece[i].border) stray.push_back(i);
+    if (stray.empty()) return rounds;
+    std::stable_sort(stray.begin(), stray.end(), [&](int a, int b) { return area(a) < area(b); });
+    for (const int number : stray) {
+      const Piece& piece = pieces.piece[number];
+      if (is_joined(surface, function, pieces, number)) continue;  // by one before it
+      std::vector<int> over = bridge(surface, function, pieces, number);
+      const bool joins = !over.empty();
+      if (!joins) over = piece.vertices;
+      for (const int v : over) {
+        const float size = std::max(std::abs(function[v]), std::numeric_limits<float>::min());
+        function[v] = piece.positive == joins ? size : -size;
       }
-      sum += std::sqrt(square);
     }
-    length.push_back(sum);
   }
-  const double total = std::accumulate(length.begin(), length.end(), 0.0);
-  std::vector<int> order(lines.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[a] > length[b]; });
-  std::vector<std::vector<SurfacePoint>> out;
-  for (int i : order)
-    if (length[i] >= shortest * total) out.push_back(std::move(lines[i]));
-  return out;
+  return rounds;
 }
 
 }  // namespace ga_symmetry

@@ -27,7 +27,8 @@ constexpr int kCurvatureRings = 3;
 // Buckets of the queue, and how many of them an average edge spans.
 constexpr int kBuckets = 1024;
 constexpr float kBucketsPerEdge = 16;
-// An edge that spans less of a bucket is short for it, and so many of them are too many.
+// Vertices joined by an edge shorter than this share of a bucket leave it in no order, and are visited again and again.
+// On meshes with more such edges the exact queue is faster.
 constexpr float kShortest = 0.25f;
 constexpr int kMostShort = 256;
 

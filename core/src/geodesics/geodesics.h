@@ -13,6 +13,12 @@ namespace ga_symmetry {
 /// sources x vertices, each field contiguous; unit of the surface. +inf = not reached.
 using DistanceFields = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Vertices of a surface with the distance field of each: the fields are the expensive part, so they are kept.
+struct Landmarks {
+  std::vector<int> vertex;  ///< surface vertex of each landmark
+  DistanceFields field;     ///< landmarks x vertices: row i is the field of vertex[i], unit of the surface
+};
+
 /// Reusable solver: everything that depends on the surface alone is computed once. Thread-safe after construction.
 ///
 /// A front of distance runs over the triangles. It carries its own curvature, which changes with the way travelled and

@@ -9,8 +9,9 @@
 
 namespace ga_symmetry {
 
-/// A scan lacks parts, and its geodesics go around what it lacks. A distance is right where the ends are nearer to each
-/// other than to the border; otherwise it may be too long, at most by what straight ways from border to border save.
+/// Where a scan has a hole, its geodesics go around it and are longer than those of the whole shape. A distance is
+/// right if its ends are nearer to each other than to the border. Any other may be too long; but a straight line across
+/// a hole is no longer than any way over the missing surface, so the shortest way with such lines is a lower bound.
 /// Sources: Bronstein et al. 2006 (which distances of a partial surface are right), Bracha et al. 2024 (straight ways).
 class Shortcuts {
  public:
@@ -20,7 +21,7 @@ class Shortcuts {
   Shortcuts(const Surface& surface, const GeodesicSolver& solver, int threads, const Context& context = {});
 
   bool none() const { return point_.empty(); }
-  /// Points on borders between which they lead; about 100 at most.
+  /// Shortcuts lead from point to point, straight across a hole; about 100 points on the borders at most.
   int points() const { return static_cast<int>(point_.size()); }
 
   /// Half of what a distance field may be too long: the true distance is within slack(v) of field[v] - slack(v).

@@ -8,8 +8,8 @@ namespace ga_symmetry {
 SpacedSamples spaced_samples(const TriangleMesh& mesh, int count, bool largest_component, int threads,
                              const Context& context) {
   const Surface surface = make_surface(mesh, largest_component, context);
-  const Samples samples = evenly_spaced_samples(surface, GeodesicSolver(surface), count, threads, context);
-  const std::vector<int> patch = sample_patches(samples);
+  const Landmarks samples = evenly_spaced_samples(surface, GeodesicSolver(surface), count, threads, context);
+  const std::vector<int> patch = nearest_source(samples.field);
   SpacedSamples out;
   out.warnings = surface.warnings;
   out.patch.assign(static_cast<std::size_t>(mesh.vertices()), -1);

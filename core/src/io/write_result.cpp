@@ -110,12 +110,12 @@ std::string to_csv(const Result& result, const Context& context) {
     out.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
     out += end;
   };
-  for (std::size_t v = 0; v < result.partner.size(); ++v) {
+  for (std::size_t v = 0; v < result.partners.partner.size(); ++v) {
     stop_at(v, context);
     append(v, ',');
-    append(result.partner[v], ',');
-    append(result.fitness[v], ',');
-    append(result.side[v], '\n');
+    append(result.partners.partner[v], ',');
+    append(result.partners.fitness[v], ',');
+    append(result.partners.side[v], '\n');
   }
   return out;
 }
@@ -175,9 +175,9 @@ std::string to_json(const TriangleMesh& mesh, const Result& result, const Contex
     }
     out += ']';
   };
-  append("partner", result.partner);
-  append("fitness", result.fitness);
-  append("side", result.side);
+  append("partner", result.partners.partner);
+  append("fitness", result.partners.fitness);
+  append("side", result.partners.side);
   append("partner_point", result.partner_point);
   return out + "}\n";
 }
@@ -227,21 +227,22 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
   PlyMesh out;
   vcg::tri::Allocator<PlyMesh>::AddVertices(out, mesh.vertices());
   vcg::tri::Allocator<PlyMesh>::AddFaces(out, mesh.triangles());
-  const double top = ramp_top(result.partner, result.fitness);
+  const double top = ramp_top(result.partners.partner, result.partners.fitness);
   for (std::size_t v = 0; v < out.vert.size(); ++v) {
     const double* p = &mesh.position[3 * v];
     out.vert[v].P() = {p[0], p[1], p[2]};
-    out.vert[v].Q() = result.fitness[v];
+    out.vert[v].Q() = result.partners.fitness[v];
     // From the top to 0: the ramp's first colour is red.
     out.vert[v].C() = vcg::Color4b::Blue;
-    if (top > 0) out.vert[v].C().SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.fitness[v]));
+    if (top > 0)
+      out.vert[v].C().SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.partners.fitness[v]));
   }
   for (std::size_t c = 0; c < mesh.triangle.size(); ++c) out.face[c / 3].V(c % 3) = &out.vert[mesh.triangle[c]];
   vcg::tri::io::PlyInfo info;
   info.mask = vcg::tri::io::Mask::IOM_VERTCOLOR | vcg::tri::io::Mask::IOM_VERTQUALITY;
-  add_attribute(out, info, "symmetry_partner", result.partner);
-  add_attribute(out, info, "symmetry_fitness", result.fitness);
-  add_attribute(out, info, "symmetry_side", result.side);
+  add_attribute(out, info, "symmetry_partner", result.partners.partner);
+  add_attribute(out, info, "symmetry_fitness", result.partners.fitness);
+  add_attribute(out, info, "symmetry_side", result.partners.side);
   stop_at(0, context);
   using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
   const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
@@ -251,8 +252,8 @@ void write_ply(const std::string& path, const PendingFile& file, const TriangleM
 
 void check_fits(const TriangleMesh& mesh, const Result& result) {
   const std::size_t n = mesh.position.size() / 3;
-  if (result.partner.size() != n || result.fitness.size() != n || result.side.size() != n)
-    throw InvalidOption("the result is not of this mesh: it has " + std::to_string(result.partner.size()) +
+  if (result.partners.partner.size() != n || result.partners.fitness.size() != n || result.partners.side.size() != n)
+    throw InvalidOption("the result is not of this mesh: it has " + std::to_string(result.partners.partner.size()) +
                         " vertices, the mesh " + std::to_string(n));
 }
 

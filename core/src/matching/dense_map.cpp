@@ -28,8 +28,9 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
 }
 
 // Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
-void match(const Surface& surface, const Features& features, const Landmarks& landmarks, const DistanceFields& fields,
-           DenseMap& map, int threads, const Context& context) {
+void match(const Matching& m, const Images& images, const Features& features, DenseMap& map, int threads,
+           const Context& context) {
+  const Surface& surface = m.surface;
   const int n = surface.vertices();
   map.partner.assign(n, -1);
   map.residual.assign(n, INFINITY);
@@ -39,7 +40,7 @@ void match(const Surface& surface, const Features& features, const Landmarks& la
     if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
   };
   for_each_vertex(surface, features, kFine, threads, context.part(0, 0.6), [&](int v, Matcher& matcher) {
-    for (int i : nearest_landmarks(fields, v)) try_from(matcher, v, landmarks.to[i]);
+    for (int i : nearest_landmarks(m.landmarks.field, v)) try_from(matcher, v, images.vertex[i]);
   });
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
@@ -146,29 +147,27 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 
 }  // namespace
 
-DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                        const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
+DenseMap make_dense_map(const Matching& m, const Images& images, bool noise_filter, int threads,
                         const Context& context) {
   DenseMap map;
-  const Features features = make_features(fields, refined.to_field, curvature, static_cast<float>(surface.unit()),
-                                          options.reflection, nullptr, threads);
-  match(surface, features, refined.landmarks, fields, map, threads, context.part(0, 0.6));
+  const Features features = make_tight_features(m, images, threads);
+  match(m, images, features, map, threads, context.part(0, 0.6));
   std::vector<float> wanted;  // per vertex: the features of its partner
-  if (options.noise_filter) {
-    wanted = smooth_differences(surface, features, map.partner, threads, context);
+  if (noise_filter) {
+    wanted = smooth_differences(m.surface, features, map.partner, threads, context);
     for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
   }
-  map.point.resize(surface.vertices());
-  map.uncertainty.resize(surface.vertices());
-  for_each_vertex(surface, features, kFine, threads, context.part(0.8, 1), [&](int v, Matcher& matcher) {
-    if (options.noise_filter) {
+  map.point.resize(m.surface.vertices());
+  map.uncertainty.resize(m.surface.vertices());
+  for_each_vertex(m.surface, features, kFine, threads, context.part(0.8, 1), [&](int v, Matcher& matcher) {
+    if (noise_filter) {
       float error;
       matcher.look_for(features.of(wanted, v));
       map.partner[v] = matcher.descend(map.partner[v], error);
     }
-    map.point[v] = on_face(surface, features, matcher, map.partner[v]);
+    map.point[v] = on_face(m.surface, features, matcher, map.partner[v]);
     map.uncertainty[v] =
-        static_cast<float>(position_uncertainty(surface, features, matcher, map.partner[v], map.residual[v]));
+        static_cast<float>(position_uncertainty(m.surface, features, matcher, map.partner[v], map.residual[v]));
   });
   return map;
 }

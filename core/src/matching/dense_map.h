@@ -4,32 +4,25 @@
 
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/result.h"
-#include "geodesics/geodesics.h"
-#include "matching/landmarks.h"
-#include "surface/curvature.h"
-#include "surface/surface.h"
+#include "matching/matching.h"
 
 namespace ga_symmetry {
 
+/// All vertices are the surface's.
 struct DenseMap {
   std::vector<int> partner;         ///< per vertex: its partner
-  std::vector<float> residual;      ///< per vertex: as Probes::error
+  std::vector<float> residual;      ///< per vertex: how badly distances and curvature agree there, as Probes::error
   std::vector<float> uncertainty;   ///< per vertex: how far off the partner may be by that residual, in units
-  std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face; surface vertices
-};
-
-struct DenseMapOptions {
-  bool reflection = true;
-  bool noise_filter = true;  ///< average over neighbours by how much distances to a vertex's partner are off: what is
-                             ///< left is the pose's, not the vertex's; partners then are where that leads
+  std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face
 };
 
 /// partner(v) is the vertex whose distances to the landmarks' images are most like those of v to the landmarks, and
-/// whose curvature is most like v's; near landmarks count more. Found by descent on the mesh from where the partners of
+/// whose curvature is most like v's; near landmarks count more. Found by descent over edges from where the partners of
 /// near landmarks and of v's neighbours stand, so the work is linear in the vertices.
+/// @param noise_filter  average over neighbours by how much distances to a vertex's partner are off: what is left is
+///        the pose's, not the vertex's; partners then are where that leads
 /// @throws Cancelled
-DenseMap make_dense_map(const Surface& surface, const RefinedLandmarks& refined, const DistanceFields& fields,
-                        const CurvatureFeatures& curvature, const DenseMapOptions& options, int threads,
+DenseMap make_dense_map(const Matching& matching, const Images& images, bool noise_filter, int threads,
                         const Context& context = {});
 
 }  // namespace ga_symmetry

@@ -6,11 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "geodesics/geodesics.h"
-#include "geodesics/shortcuts.h"
-#include "surface/curvature.h"
-#include "surface/surface.h"
-#include "util/parallel.h"
+#include "matching/features.h"
+#include "surface/neighbors.h"
 
 namespace ga_symmetry {
 
@@ -23,68 +20,7 @@ struct Weighting {
 };
 constexpr Weighting kCoarse{0.02f, 2.f, 0.012f}, kFine{0.005f, 3.f, 0.003f};
 
-// Features of the vertices as points to be matched: vertex-major, so that one comparison is one contiguous pass.
-struct Features {
-  int distances = 0;  // that many come first, then the curvature
-  int dimension = 0;
-  std::vector<float> source, target;              // n x dimension: d(v, from) against d(c, to)
-  std::vector<float> source_slack, target_slack;  // how much they may differ from that; empty = not at all
-  const float* of(const std::vector<float>& data, int v) const {
-    return &data[static_cast<std::size_t>(v) * dimension];
-  }
-};
-
-// Where there are shortcuts, distances are moved to the middle of what they may be.
-inline void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcuts, float unit, int first,
-                   std::vector<float>& middle, std::vector<float>& slack) {
-  slack.resize(middle.size(), 0);
-  for (Eigen::Index i = 0; i < fields.rows(); ++i) {
-    const auto half = shortcuts.slack(fields.row(i).data());
-    for (int v = 0; v < static_cast<int>(fields.cols()); ++v) {
-      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + first + i;
-      slack[at] = half(v) / unit;
-      middle[at] -= slack[at];
-    }
-  }
-}
-
-inline Features make_features(const DistanceFields& from, const DistanceFields& to, const CurvatureFeatures& curvature,
-                              float unit, bool both_ways, const Shortcuts* shortcuts, int threads) {
-  const int landmarks = static_cast<int>(from.rows()), n = static_cast<int>(from.cols());
-  Features f;
-  f.distances = (both_ways ? 2 : 1) * landmarks;
-  f.dimension = f.distances + kCurvatureFeatures;
-  f.source.resize(static_cast<std::size_t>(n) * f.dimension);
-  f.target.resize(f.source.size());
-  const float scale = 1 / unit;
-  constexpr int kBlock = 64;  // transposed in blocks that fit the cache
-  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
-    const int begin = block * kBlock, end = std::min(n, begin + kBlock);
-    for (int i = 0; i < landmarks; ++i)
-      for (int v = begin; v < end; ++v) {
-        float* source = &f.source[static_cast<std::size_t>(v) * f.dimension];
-        float* target = &f.target[static_cast<std::size_t>(v) * f.dimension];
-        const float a = from(i, v) * scale, b = to(i, v) * scale;
-        source[i] = a, target[i] = b;
-        if (both_ways) source[landmarks + i] = b, target[landmarks + i] = a;
-      }
-  });
-  if (shortcuts && !shortcuts->none()) {
-    loosen(f, from, *shortcuts, unit, 0, f.source, f.source_slack);
-    loosen(f, to, *shortcuts, unit, 0, f.target, f.target_slack);
-    if (both_ways) {
-      loosen(f, to, *shortcuts, unit, landmarks, f.source, f.source_slack);
-      loosen(f, from, *shortcuts, unit, landmarks, f.target, f.target_slack);
-    }
-  }
-  for (int v = 0; v < n; ++v)
-    for (int k = 0; k < kCurvatureFeatures; ++k) {
-      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + f.distances + k;
-      f.source[at] = f.target[at] = curvature(v, k);
-    }
-  return f;
-}
-
+// Looks for the vertex that matches best.
 class Matcher {
  public:
   Matcher(const Surface& surface, const Features& features, Weighting weighting)
@@ -122,14 +58,10 @@ class Matcher {
     least = error(c);
     for (bool moved = true; moved;) {
       moved = false;
-      const int center = c;
-      for (int i = surface_.first_corner[center]; i < surface_.first_corner[center + 1]; ++i)
-        for (int w : {surface_.triangle[next_corner(surface_.corner_at[i])],
-                      surface_.triangle[previous_corner(surface_.corner_at[i])]}) {
-          if (w == c) continue;
-          const float e = error(w);
-          if (e < least || (e == least && w < c)) least = e, c = w, moved = true;
-        }
+      for_each_neighbor(surface_, c, [&](int w) {
+        const float e = error(w);
+        if (e < least || (e == least && w < c)) least = e, c = w, moved = true;
+      });
     }
     return c;
   }

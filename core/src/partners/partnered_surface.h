@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ga_symmetry/partners.h"
+#include "surface/neighbors.h"
 #include "surface/surface.h"
 
 namespace ga_symmetry {
@@ -11,8 +12,7 @@ struct PartneredSurface {
   /// @throws InvalidOption  as check_partners  @throws InvalidMesh  as make_surface with the largest component
   PartneredSurface(const TriangleMesh& mesh, const Partners& given)
       : surface((check_partners(given, mesh), make_surface(mesh, true))) {
-    std::vector<int> index(static_cast<std::size_t>(surface.mesh_vertices), -1);
-    for (int v = 0; v < surface.vertices(); ++v) index[surface.mesh_vertex[v]] = v;
+    const std::vector<int> index = surface_vertices(surface);
     for (const int m : surface.mesh_vertex) {
       partners.partner.push_back(given.partner[m] < 0 ? -1 : index[given.partner[m]]);
       partners.fitness.push_back(given.fitness[m]);

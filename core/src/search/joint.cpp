@@ -55,50 +55,36 @@ float capped_gap(const float* a, const float* b, const float* slack_a, const flo
 
 }  // namespace
 
-std::vector<Anchor> make_anchors(const References& references, SymmetryKind kind) {
-  std::vector<Anchor> anchors;
-  for (int a : references.axis) anchors.push_back({a, a});
-  for (const auto& [l, r] : references.pairs) {
-    anchors.push_back({l, r});
-    if (kind == SymmetryKind::reflection) anchors.push_back({r, l});
-  }
-  return anchors;
-}
-
-JointProblem::JointProblem(const Sites& sites, const Surface& surface, const GeodesicSolver& solver, SymmetryKind kind,
-                           const std::vector<Anchor>& anchors, const JointOptions& options)
+JointProblem::JointProblem(const Sites& sites, const Surface& surface, SymmetryKind kind, const Anchors& anchors,
+                           const JointOptions& options)
     : sites_(sites), options_(options), kind_(kind), oriented_(surface.orientable) {
   const int samples = sites.samples, count = sites.count();
   weight_ = (sites.distance.topLeftCorner(samples, samples).array().square() + kNear2).inverse();
   unary_ = Table::Zero(samples, count);
   // References say which end is which; then descriptors, which like the identity best, need say less.
   const float descriptor_weight =
-      static_cast<float>(options.descriptor_weight) * (anchors.empty() ? 1 : kDescriptorsBesideReferences);
+      static_cast<float>(options.descriptor_weight) * (anchors.count() == 0 ? 1 : kDescriptorsBesideReferences);
   for (int i = 0; i < samples; ++i)
     for (int k = 0; k < count; ++k)
       unary_(i, k) =
           descriptor_weight * (sites.descriptor.row(i) - sites.descriptor.row(k)).array().square().min(1.f).mean();
-  if (!anchors.empty()) {
-    std::vector<int> sources;
-    for (const Anchor& a : anchors) sources.insert(sources.end(), {a.vertex, a.image});
-    const DistanceFields field = solver.fields(sources, 1);
-    const float unit = static_cast<float>(surface.unit());
-    const float share = static_cast<float>(options.reference_weight) / static_cast<float>(anchors.size());
-    for (std::size_t t = 0; t < anchors.size(); ++t) {
-      for (int i = 0; i < samples; ++i) {
-        const float d = field(2 * t, sites.vertex[i]) / unit;
-        for (int k = 0; k < count; ++k) {
-          const float e = field(2 * t + 1, sites.vertex[k]) / unit - d;
-          unary_(i, k) += share * std::min(1.f, e * e / (d * d + kNear2));
-        }
+  const float unit = static_cast<float>(surface.unit());
+  const float share = static_cast<float>(options.reference_weight) / static_cast<float>(std::max(1, anchors.count()));
+  for (int t = 0; t < anchors.count(); ++t) {
+    const auto from = [&](int i) { return anchors.from.field(t, sites.vertex[i]); };
+    const auto image = [&](int k) { return anchors.image.field(t, sites.vertex[k]); };
+    KnownGene known{0, 0};
+    for (int i = 0; i < samples; ++i) {
+      const float d = from(i) / unit;
+      for (int k = 0; k < count; ++k) {
+        const float e = image(k) / unit - d;
+        unary_(i, k) += share * std::min(1.f, e * e / (d * d + kNear2));
       }
-      int sample = 0, image = 0;
-      for (int i = 1; i < samples; ++i)
-        if (field(2 * t, sites.vertex[i]) < field(2 * t, sites.vertex[sample])) sample = i;
-      for (int k = 1; k < count; ++k)
-        if (field(2 * t + 1, sites.vertex[k]) < field(2 * t + 1, sites.vertex[image])) image = k;
-      anchors_.push_back({sample, image});
+      if (from(i) < from(known.sample)) known.sample = i;
     }
+    for (int k = 1; k < count; ++k)
+      if (image(k) < image(known.site)) known.site = k;
+    known_.push_back(known);
   }
   index_sites();
 }
@@ -476,8 +462,8 @@ Population<SampleMap> JointProblem::vary(const Population<SampleMap>& population
     if (std::count(child.begin(), child.end(), -1) > n / 2) continue;
     for (int i = 0; i < n; ++i) {
       if (draw_unit(random) >= options_.mutation_probability) continue;
-      const int reference = anchors_.empty() ? static_cast<int>(draw_below(random, n))
-                                             : anchors_[draw_below(random, anchors_.size())].vertex;
+      const int reference =
+          known_.empty() ? static_cast<int>(draw_below(random, n)) : known_[draw_below(random, known_.size())].sample;
       const bool step = draw_unit(random) < 0.5 && child[i] >= 0 && child[reference] >= 0;
       child[i] = step ? region_step(child, i, reference, random) : static_cast<int>(draw_below(random, sites_.count()));
     }
@@ -503,7 +489,7 @@ Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Popul
 
 std::vector<std::array<int, 2>> JointProblem::seeds() const {
   std::vector<std::array<int, 2>> out;
-  for (const Anchor& a : anchors_) out.push_back({a.vertex, sites_.nearest_sample[a.image]});
+  for (const KnownGene& known : known_) out.push_back({known.sample, sites_.nearest_sample[known.site]});
   // A symmetry takes tips to tips of about the same centricity.
   constexpr float kAlike = 0.15f;
   const std::vector<int>& tips = sites_.extremal;

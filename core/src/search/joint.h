@@ -6,6 +6,7 @@
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/result.h"
 #include "ga_symmetry/symmetry.h"
+#include "geodesics/anchors.h"
 #include "search/genetic.h"
 #include "search/sites.h"
 #include "util/random.h"
@@ -14,14 +15,6 @@ namespace ga_symmetry {
 
 /// Gene i is the site that is the partner of sample i.
 using SampleMap = std::vector<int>;
-
-/// What is known beforehand: the symmetry takes a vertex to another (or to itself).
-struct Anchor {
-  int vertex = -1;
-  int image = -1;
-};
-/// The references as anchors; a reflection takes a pair both ways.
-std::vector<Anchor> make_anchors(const References& references, SymmetryKind kind);
 
 /// The terms of the joint cost, each a mean in [0,1].
 struct CostTerms {
@@ -35,9 +28,8 @@ struct CostTerms {
 /// The joint cost over fixed sites, and the moves that lower it. Const after construction, so shared by threads.
 class JointProblem {
  public:
-  /// @param anchors  surface vertices
-  JointProblem(const Sites& sites, const Surface& surface, const GeodesicSolver& solver, SymmetryKind kind,
-               const std::vector<Anchor>& anchors, const JointOptions& options);
+  JointProblem(const Sites& sites, const Surface& surface, SymmetryKind kind, const Anchors& anchors,
+               const JointOptions& options);
 
   /// The same problem over fewer sites. @param coarse  from `coarsened`
   JointProblem(const JointProblem& fine, const Sites& coarse);
@@ -104,6 +96,9 @@ class JointProblem {
     std::vector<Image> near;
     float inverse_weight = 0, inverse_count = 0;
   };
+  struct KnownGene {
+    int sample, site;
+  };
   void look_around(const SampleMap& map, int sample, Vicinity& out) const;
   int best_response(Response& response, float radius) const;
   int relocate_outliers(Response& response) const;
@@ -115,7 +110,7 @@ class JointProblem {
   JointOptions options_;  // a copy: callers may pass a temporary
   SymmetryKind kind_;
   bool oriented_;
-  std::vector<Anchor> anchors_;               // as nearest sample and nearest site
+  std::vector<KnownGene> known_;              // the samples and sites nearest to the anchors
   Table weight_;                              // samples x samples: 1 / (d^2 + eps)
   Table unary_;                               // samples x sites
   std::vector<Direction> direction_;          // sites x sites: both in one cache line

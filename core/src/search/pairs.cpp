@@ -11,6 +11,7 @@
 #include "ga_symmetry/errors.h"
 #include "geodesics/sampling.h"
 #include "search/genetic.h"
+#include "surface/neighbors.h"
 
 namespace ga_symmetry {
 namespace {
@@ -19,14 +20,6 @@ constexpr int kStallGenerations = 30;
 constexpr int kGrain = 1024;        // a fitness takes nanoseconds
 constexpr double kSplitCell = 0.2;  // of the surface's unit; hat functions of that width blur by about half of it
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-template <class F>
-void for_neighbours(const Surface& surface, int v, const F& f) {
-  for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
-    f(surface.triangle[next_corner(surface.corner_at[i])]);
-    f(surface.triangle[previous_corner(surface.corner_at[i])]);
-  }
-}
 
 // The nearest of a growing set of samples, along the edges. A new sample visits only the vertices that it wins, so
 // thousands of samples cost little more than a few; a distance field each would take minutes on a large mesh.
@@ -45,7 +38,7 @@ class Nearest {
       const auto [at, v] = queue.top();
       queue.pop();
       if (at > distance_[v]) continue;
-      for_neighbours(surface_, v, [&, from = v, start = at](int w) {
+      for_each_neighbor(surface_, v, [&, from = v, start = at](int w) {
         const double d = start + surface_.edge_length(from, w);
         if (!(d < distance_[w])) return;
         distance_[w] = d;
@@ -79,7 +72,7 @@ Patches make_patches(const Surface& surface, const std::vector<int>& samples, co
               std::vector<std::vector<int>>(samples.size())};
   for (int v = 0; v < surface.vertices(); ++v) {
     if (side[v] == wanted) out.members[out.of[v]].push_back(v);
-    for_neighbours(surface, v, [&](int w) { out.around[out.of[v]].push_back(out.of[w]); });
+    for_each_neighbor(surface, v, [&](int w) { out.around[out.of[v]].push_back(out.of[w]); });
   }
   for (std::vector<int>& around : out.around) {
     std::sort(around.begin(), around.end());
@@ -99,14 +92,12 @@ std::vector<int> vertices_of(const std::vector<int>& side, int wanted) {
 std::vector<int> spread_samples(const Surface& surface, const std::vector<int>& vertices, int first, int count,
                                 const Context& context) {
   Nearest nearest(surface);
-  std::vector<int> out{first};
-  for (;;) {
-    if (context.cancelled()) throw Cancelled();
-    nearest.add(out.back(), 0);
-    if (static_cast<int>(out.size()) == count) return out;
-    out.push_back(*std::max_element(vertices.begin(), vertices.end(),
-                                    [&](int a, int b) { return nearest.distance()[a] < nearest.distance()[b]; }));
-  }
+  return farthest_points(
+      vertices, first, count, [&](int v) { return nearest.distance()[v]; },
+      [&](int v) {
+        if (context.cancelled()) throw Cancelled();
+        nearest.add(v, 0);
+      });
 }
 
 // Per left sample: its best individual.
@@ -334,7 +325,7 @@ PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, c
   const std::vector<int> references{axis[0], axis[1], pair[0], pair[1]};
   check_references(surface, references);
   context.report(0, "geodesics");
-  const DistanceFields fields = solver.fields(references, threads, context);
+  DistanceFields fields = solver.fields(references, threads, context);
   const auto distances = [&](int v) { return AxisDistances{fields(0, v), fields(1, v)}; };
 
   PairsResult result;
@@ -399,6 +390,7 @@ PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, c
   };
   extract(vertices_of(result.side, 1), paired_left, to_right, result.right_samples);
   extract(vertices_of(result.side, -1), paired_right, to_left, result.left_samples);
+  result.fields = std::move(fields);
   context.report(1, "partners");
   return result;
 }

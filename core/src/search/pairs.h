@@ -92,6 +92,7 @@ struct PairsResult {
   std::vector<double> fitness;       ///< per surface vertex: fitness with its partner, 0 on the axis
   std::vector<int> side;             ///< per surface vertex: +1 left, 0 on the axis, -1 right
   std::vector<SymmetricPair> pairs;  ///< the best pair of each left sample, without outliers; surface vertices
+  DistanceFields fields;             ///< from a0, a1, l, r
   std::vector<int> left_samples, right_samples;  ///< surface vertices, as many on both sides
   std::vector<GenerationLog> log;  ///< `best` is the mean over the left samples of their best pair's fitness
   StopReason stop = StopReason::max_generations;

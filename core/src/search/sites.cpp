@@ -92,11 +92,11 @@ std::vector<int> extremal_samples(const Sites& sites) {
   return tips;
 }
 
-Table slacks(const Samples& spaced, const Shortcuts& shortcuts) {
+Table slacks(const Landmarks& spaced, const Shortcuts& shortcuts) {
   const int count = static_cast<int>(spaced.vertex.size());
   Table out(count, count);
   for (int i = 0; i < count; ++i) {
-    const auto slack = shortcuts.slack(spaced.distance.row(i).data());
+    const auto slack = shortcuts.slack(spaced.field.row(i).data());
     for (int j = 0; j < count; ++j) out(i, j) = slack(spaced.vertex[j]);
   }
   return (out + out.transpose()) / 2;
@@ -109,7 +109,7 @@ Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int sampl
   Sites s;
   const int count = std::min(sites, surface.vertices());
   s.samples = std::min(samples, count);
-  Samples spaced = evenly_spaced_samples(surface, solver, count, threads, context);
+  Landmarks spaced = evenly_spaced_samples(surface, solver, count, threads, context);
   const float unit = static_cast<float>(surface.unit());
   s.distance = symmetric_distances(spaced) / unit;
   if (!shortcuts.none()) {
@@ -117,9 +117,10 @@ Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int sampl
     s.distance -= s.slack;
   }
   s.vertex = std::move(spaced.vertex);
-  s.field = std::move(spaced.distance);
+  s.field = std::move(spaced.field);
   std::tie(s.cosine, s.sine) = directions(surface, s.vertex, s.field, threads);
   s.descriptor = disc_descriptors(surface, s.field, threads, s.centricity);
+  s.nearest = nearest_source(s.field);
   relate(s, neighbors);
   s.extremal = extremal_samples(s);
   return s;

@@ -23,11 +23,19 @@ struct Sites {
   Table descriptor;         ///< sites x features, each scaled to standard deviation 1
   std::vector<float> centricity;            ///< per site: average geodesic distance to the surface
   std::vector<int> nearest_sample;          ///< per site
+  std::vector<int> nearest;                 ///< per vertex: its nearest site
   std::vector<std::vector<int>> neighbors;  ///< per sample: its nearest samples, nearest first
   std::vector<int> extremal;  ///< samples where centricity has a local maximum (tips, farthest first), and its minimum
 
   int count() const { return static_cast<int>(vertex.size()); }
 };
+
+/// How far a map moves a point, [0,1): near 1 where its partner is plainly not itself. Any shape is its own identity,
+/// so agreement is evidence only where points are moved. @param squared_distance  from point to partner, in units^2
+inline double moved_share(double squared_distance) {
+  constexpr double kPlainly = 0.01;  // a tenth of a unit: between neighbouring samples
+  return squared_distance / (squared_distance + kPlainly);
+}
 
 /// @param samples, sites  counts, samples <= sites; fewer where the surface has fewer vertices
 /// @param neighbors  samples that count as near

@@ -1,0 +1,67 @@
+#include "matching/features.h"
+
+#include <algorithm>
+
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+// Moves distances to the middle of what they may be.
+void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcuts, float unit, int first,
+            std::vector<float>& middle, std::vector<float>& slack) {
+  slack.resize(middle.size(), 0);
+  for (Eigen::Index i = 0; i < fields.rows(); ++i) {
+    const auto half = shortcuts.slack(fields.row(i).data());
+    for (int v = 0; v < static_cast<int>(fields.cols()); ++v) {
+      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + first + i;
+      slack[at] = half(v) / unit;
+      middle[at] -= slack[at];
+    }
+  }
+}
+
+}  // namespace
+
+Features make_tight_features(const Matching& m, const Images& images, int threads) {
+  const DistanceFields &from = m.landmarks.field, &to = images.field;
+  const int landmarks = m.count(), n = m.surface.vertices();
+  Features f;
+  f.distances = (m.reflection ? 2 : 1) * landmarks;
+  f.dimension = f.distances + kCurvatureFeatures;
+  f.source.resize(static_cast<std::size_t>(n) * f.dimension);
+  f.target.resize(f.source.size());
+  const float scale = 1 / m.unit();
+  constexpr int kBlock = 64;  // transposed in blocks that fit the cache
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+    const int begin = block * kBlock, end = std::min(n, begin + kBlock);
+    for (int i = 0; i < landmarks; ++i)
+      for (int v = begin; v < end; ++v) {
+        float* source = &f.source[static_cast<std::size_t>(v) * f.dimension];
+        float* target = &f.target[static_cast<std::size_t>(v) * f.dimension];
+        const float a = from(i, v) * scale, b = to(i, v) * scale;
+        source[i] = a, target[i] = b;
+        if (m.reflection) source[landmarks + i] = b, target[landmarks + i] = a;
+      }
+  });
+  for (int v = 0; v < n; ++v)
+    for (int k = 0; k < kCurvatureFeatures; ++k) {
+      const std::size_t at = static_cast<std::size_t>(v) * f.dimension + f.distances + k;
+      f.source[at] = f.target[at] = m.curvature(v, k);
+    }
+  return f;
+}
+
+Features make_features(const Matching& m, const Images& images, int threads) {
+  Features f = make_tight_features(m, images, threads);
+  if (m.shortcuts.none()) return f;
+  loosen(f, m.landmarks.field, m.shortcuts, m.unit(), 0, f.source, f.source_slack);
+  loosen(f, images.field, m.shortcuts, m.unit(), 0, f.target, f.target_slack);
+  if (m.reflection) {
+    loosen(f, images.field, m.shortcuts, m.unit(), m.count(), f.source, f.source_slack);
+    loosen(f, m.landmarks.field, m.shortcuts, m.unit(), m.count(), f.target, f.target_slack);
+  }
+  return f;
+}
+
+}  // namespace ga_symmetry

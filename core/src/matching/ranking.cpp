@@ -1,0 +1,105 @@
+#include "matching/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/refinement.h"
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+constexpr int kMaxOrder = 12;           // of rotations: of more sides than a dodecagon, 100 samples tell little
+constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours
+constexpr std::size_t kContenders = 3;  // survivors taken to vertex resolution to find the best
+constexpr double kClose = 1.5;          // times the best score: refinement may still change the order
+
+// How often a map over samples must be applied to come back; 0 if it does not within kMaxOrder.
+int order_of(const Sites& sites, const SampleMap& map) {
+  std::vector<int> at(map.begin(), map.end());
+  for (int order = 1; order <= kMaxOrder; ++order) {
+    double away = 0;
+    for (int i = 0; i < sites.samples; ++i) away += sites.distance(at[i], i);
+    if (away / sites.samples < kReturned) return order;
+    for (int& site : at) site = map[sites.nearest_sample[site]];
+  }
+  return 0;
+}
+
+}  // namespace
+
+Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& reference_images) {
+  Images out;
+  out.field.resize(sites.samples + reference_images.field.rows(), sites.field.cols());
+  for (int i = 0; i < sites.samples; ++i) {
+    out.vertex.push_back(sites.vertex[map[i]]);
+    out.field.row(i) = sites.field.row(map[i]);
+  }
+  out.vertex.insert(out.vertex.end(), reference_images.vertex.begin(), reference_images.vertex.end());
+  if (!reference_images.vertex.empty()) out.field.bottomRows(reference_images.field.rows()) = reference_images.field;
+  return out;
+}
+
+double disagreement(const Matching& m, const Sites& sites, const Images& images) {
+  constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
+  constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.75;
+  const Probes probes = match_probes(m, images, sites.vertex);
+  double error = 0, moved = 0, unlike = 0;
+  for (int k = 0; k < sites.count(); ++k) {
+    error += std::min(kCap, probes.error[k]);
+    const int partner = probes.partner[k];
+    moved += moved_share(std::pow(sites.field(k, partner) / m.surface.unit(), 2));
+    const auto difference = sites.descriptor.row(k) - sites.descriptor.row(sites.nearest[partner]);
+    unlike += difference.array().square().min(1.f).mean();
+  }
+  if (moved == 0) return INFINITY;
+  error /= sites.count(), moved /= sites.count(), unlike /= sites.count();
+  return (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 1.25);
+}
+
+bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const Images& b) {
+  constexpr double kSame = 0.1;  // mean distance of their images, in units
+  double apart = 0;
+  for (int i = 0; i < sites.samples; ++i) apart += sites.field(sites.nearest[a.vertex[i]], b.vertex[i]);
+  return apart < kSame * m.surface.unit() * sites.samples;
+}
+
+std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const std::vector<SampleMap>& maps,
+                                 const Landmarks& reference_images, Refine refine, int threads,
+                                 const Context& context) {
+  struct Survivor {
+    const SampleMap* map;
+    double score;
+  };
+  std::vector<Survivor> survivors(maps.size());
+  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
+    survivors[i] = {&maps[i], disagreement(m, sites, images_of(maps[i], sites, reference_images))};
+  });
+  const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
+  std::stable_sort(survivors.begin(), survivors.end(), by_score);
+  if (refine == Refine::contenders) survivors.resize(std::min(kContenders, survivors.size()));
+  std::vector<Candidate> refined, out;
+  for (const Survivor& s : survivors) {
+    context.advance(static_cast<double>(refined.size()) / static_cast<double>(survivors.size()));
+    Candidate c{images_of(*s.map, sites, reference_images), m.reflection ? 2 : order_of(sites, *s.map), s.score};
+    if (refine == Refine::all || s.score < kClose * survivors[0].score) {
+      c.images = refine_images(m, std::move(c.images), threads, context);
+      c.score = disagreement(m, sites, c.images);
+    }
+    refined.push_back(std::move(c));
+  }
+  std::stable_sort(refined.begin(), refined.end(), by_score);
+  for (Candidate& c : refined)
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const Candidate& better) { return same_symmetry(m, sites, better.images, c.images); }))
+      out.push_back(std::move(c));
+  return out;
+}
+
+double confidence_of(const std::vector<Candidate>& ranking) {
+  if (ranking.size() < 2) return 1;
+  const double best = ranking[0].score, next = ranking[1].score;
+  return best < next ? 1 - best / next : 0;
+}
+
+}  // namespace ga_symmetry

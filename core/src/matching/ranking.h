@@ -1,0 +1,45 @@
+// The choice among the maps that survive the search: which is the symmetry, and which are other symmetries.
+#pragma once
+#include <vector>
+
+#include "ga_symmetry/context.h"
+#include "matching/matching.h"
+#include "search/joint.h"
+#include "search/sites.h"
+
+namespace ga_symmetry {
+
+/// A map of the samples that may be the symmetry.
+struct Candidate {
+  Images images;     ///< of the landmarks
+  int order = 0;     ///< applied so often it is the identity, 0 = not within twelve times
+  double score = 0;  ///< >= 0, lower is better
+};
+
+/// The images of the samples under a map, then those of the references.
+Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& reference_images);
+
+/// How badly distances, curvature and descriptors agree under a map: root mean square over the sites, which are as good
+/// as evenly spaced vertices, and relative to how far it moves them. Any shape is its own identity, and a thin one is
+/// nearly its own mirror image from front to back: agreement is evidence only where points are moved. To move all of
+/// them proves no more than to move most, as a reflection does; or an animal would be mirrored head to tail.
+/// @return  >= 0, +inf if nothing is moved
+double disagreement(const Matching& matching, const Sites& sites, const Images& images);
+
+/// Whether two maps take the samples to the same places, but for noise.
+bool same_symmetry(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
+
+enum class Refine {
+  contenders,  ///< the best few, and of them those that may be the best: enough to know which is
+  all
+};
+/// The maps at vertex resolution, best first, without those that are the same symmetry as a better one.
+/// @throws Cancelled
+std::vector<Candidate> rank_maps(const Matching& matching, const Sites& sites, const std::vector<SampleMap>& maps,
+                                 const Landmarks& reference_images, Refine refine, int threads,
+                                 const Context& context = {});
+
+/// How far ahead the best is of the runner-up, [0,1]; 1 where there is none.
+double confidence_of(const std::vector<Candidate>& ranking);
+
+}  // namespace ga_symmetry

@@ -1,0 +1,29 @@
+// Walking over a surface's edges, and from a mesh's vertices to a surface's.
+#pragma once
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace ga_symmetry {
+
+/// Calls visit(w) for each neighbour w of a vertex, once each; on a one-sided surface, whose faces do not all turn the
+/// same way, twice for a neighbour across an inner edge.
+template <class Visit>
+void for_each_neighbor(const Surface& surface, int vertex, const Visit& visit) {
+  for (int i = surface.first_corner[vertex]; i < surface.first_corner[vertex + 1]; ++i) {
+    const int corner = surface.corner_at[i];
+    visit(surface.triangle[next_corner(corner)]);
+    // At the border the last neighbour of a fan follows no corner.
+    if (surface.opposite[next_corner(corner)] < 0 || !surface.orientable)
+      visit(surface.triangle[previous_corner(corner)]);
+  }
+}
+
+/// Per vertex of the mesh that came in: its surface vertex, -1 = it is not on the surface.
+inline std::vector<int> surface_vertices(const Surface& surface) {
+  std::vector<int> out(static_cast<std::size_t>(surface.mesh_vertices), -1);
+  for (int v = 0; v < surface.vertices(); ++v) out[surface.mesh_vertex[v]] = v;
+  return out;
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,69 @@
+#include "surface_result.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ga_symmetry {
+
+SurfaceResult prolongate(SurfaceResult found, const Surface& large, const Proxy& proxy, int threads,
+                         const Context& context) {
+  CarriedMap map = carry_to(large, proxy, found.point, threads, context);
+  found.partner = std::move(map.partner);
+  found.point = std::move(map.point);
+  found.fitness = interpolate(proxy, found.fitness);
+  if (!found.left_right.empty()) found.left_right = interpolate(proxy, found.left_right);
+  for (SymmetricPair& pair : found.pairs) {
+    pair.vertex = proxy.vertex[pair.vertex];
+    pair.partner = found.partner[pair.vertex];
+  }
+  return found;
+}
+
+Result to_mesh(SurfaceResult found, std::vector<std::vector<SurfacePoint>> axis, const Surface& surface,
+               double max_fitness) {
+  Result out;
+  const int n = surface.mesh_vertices;
+  const auto point_of = [&](SurfacePoint p) {
+    for (int& v : p.vertex) v = surface.mesh_vertex[v];
+    return p;
+  };
+  double worst = 0, sum = 0;
+  for (int v = 0; v < surface.vertices(); ++v) {
+    if (found.partner[v] < 0) continue;
+    worst = std::max(worst, found.fitness[v]);
+    if (max_fitness > 0 && found.fitness[v] > max_fitness) {
+      found.partner[v] = -1;
+      continue;
+    }
+    sum += found.fitness[v];
+    ++out.matched;
+  }
+  out.mean_fitness = out.matched ? sum / out.matched : 0;
+  out.partners.partner.assign(n, -1);
+  out.partners.fitness.assign(n, worst);
+  out.partners.side.assign(n, 0);
+  out.partner_point.assign(n, {});
+  for (int v = 0; v < surface.vertices(); ++v) {
+    const int m = surface.mesh_vertex[v];
+    out.partners.side[m] = found.side[v];
+    if (found.partner[v] < 0) continue;
+    out.partners.partner[m] = surface.mesh_vertex[found.partner[v]];
+    out.partners.fitness[m] = found.fitness[v];
+    out.partner_point[m] = point_of(found.point[v]);
+  }
+  for (auto& line : axis)
+    for (SurfacePoint& p : line) p = point_of(p);
+  out.axis = std::move(axis);
+  for (const SymmetricPair& pair : found.pairs)
+    if (found.partner[pair.vertex] >= 0)
+      out.pairs.push_back({surface.mesh_vertex[pair.vertex], surface.mesh_vertex[pair.partner], pair.fitness});
+  out.order = found.order;
+  out.symmetries = std::move(found.symmetries);
+  out.confidence = found.confidence;
+  out.log = std::move(found.log);
+  out.stop = found.stop;
+  out.warnings = std::move(found.warnings);
+  return out;
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,147 @@
+#include "matching/ranking.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/scene.h"
+
+namespace ga_symmetry {
+namespace {
+
+struct Scene {
+  MatchingScene of;
+  Sites sites = make_sites(of.surface, of.solver, 100, 300, 8, 1);
+  Landmarks no_references;
+
+  explicit Scene(shapes::Symmetric shape) : of(std::move(shape)) {
+    no_references.field.resize(0, of.surface.vertices());
+  }
+  Matching matching(bool reflection) const {
+    SampleMap itself(sites.samples);
+    for (int i = 0; i < sites.samples; ++i) itself[i] = i;
+    return {of.surface, of.solver, of.shortcuts, of.curvature, images_of(itself, sites, no_references), 0, reflection};
+  }
+  // The site nearest to where each sample goes.
+  template <class To>
+  SampleMap map_by(const To& to) const {
+    SampleMap map;
+    for (int i = 0; i < sites.samples; ++i) map.push_back(sites.nearest[to(sites.vertex[i])]);
+    return map;
+  }
+};
+
+const Scene& creature() {
+  static const Scene made(shapes::shuffled(shapes::bent(shapes::creature(3), 0.1), 7));
+  return made;
+}
+
+SampleMap truth() {
+  return creature().map_by([](int v) { return creature().of.shape.partner[v]; });
+}
+SampleMap identity() {
+  return creature().map_by([](int v) { return v; });
+}
+// Right everywhere but at one arm, which stays in place: a half swap.
+SampleMap half_swap() {
+  const MatchingScene& s = creature().of;
+  const DistanceFields arms = s.solver.fields({s.shape.pair[0], s.shape.pair[1]}, 1);
+  const float near = static_cast<float>(0.6 * s.surface.unit());
+  return creature().map_by([&](int v) { return std::min(arms(0, v), arms(1, v)) < near ? v : s.shape.partner[v]; });
+}
+
+double score(const SampleMap& map) {
+  const Scene& s = creature();
+  return disagreement(s.matching(true), s.sites, images_of(map, s.sites, s.no_references));
+}
+
+TEST(Disagreement, IsLeastForTheTruth) {
+  EXPECT_LT(score(truth()), 0.5 * score(half_swap()));
+  EXPECT_GT(score(truth()), 0);
+}
+
+TEST(Disagreement, TheIdentityIsNoSymmetry) {
+  EXPECT_TRUE(std::isinf(score(identity()))) << "all agrees, and nothing is moved";
+  SampleMap nearly = identity();
+  nearly[3] = truth()[3];
+  EXPECT_GT(score(nearly), score(truth()));
+}
+
+TEST(SameSymmetry, ForgivesNoiseAndTellsMapsApart) {
+  const Scene& s = creature();
+  const Matching m = s.matching(true);
+  const auto images = [&](const SampleMap& map) { return images_of(map, s.sites, s.no_references); };
+  SampleMap noisy = truth();
+  for (std::size_t i = 0; i < noisy.size(); i += 2) noisy[i] = s.sites.nearest_sample[noisy[i]];
+  EXPECT_TRUE(same_symmetry(m, s.sites, images(truth()), images(noisy)));
+  EXPECT_FALSE(same_symmetry(m, s.sites, images(truth()), images(half_swap())));
+  EXPECT_FALSE(same_symmetry(m, s.sites, images(truth()), images(identity())));
+}
+
+TEST(RankMaps, TheTruthIsFirstAndEachSymmetryStandsOnce) {
+  const Scene& s = creature();
+  const std::vector<SampleMap> maps{half_swap(), truth(), half_swap(), truth()};
+  for (const Refine refine : {Refine::contenders, Refine::all}) {
+    const auto ranking = rank_maps(s.matching(true), s.sites, maps, s.no_references, refine, 1);
+    ASSERT_FALSE(ranking.empty());
+    EXPECT_LE(ranking.size(), 2u);
+    double error = 0;
+    for (int i = 0; i < s.sites.samples; ++i)
+      error +=
+          ranking[0].images.field(i, s.of.shape.partner[s.sites.vertex[i]]) / s.of.surface.unit() / s.sites.samples;
+    EXPECT_LT(error, 0.05);
+    EXPECT_EQ(ranking[0].order, 2);
+    for (std::size_t i = 1; i < ranking.size(); ++i) EXPECT_LE(ranking[i - 1].score, ranking[i].score);
+    EXPECT_EQ(ranking[0].images.field, s.of.solver.fields(ranking[0].images.vertex, 1)) << "fields of the images";
+  }
+  EXPECT_TRUE(rank_maps(s.matching(true), s.sites, {}, s.no_references, Refine::contenders, 1).empty());
+}
+
+TEST(RankMaps, ThreadsChangeNothing) {
+  const Scene& s = creature();
+  const std::vector<SampleMap> maps{half_swap(), truth(), identity()};
+  const auto one = rank_maps(s.matching(true), s.sites, maps, s.no_references, Refine::all, 1);
+  const auto four = rank_maps(s.matching(true), s.sites, maps, s.no_references, Refine::all, 4);
+  ASSERT_EQ(one.size(), four.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].score, four[i].score);
+    EXPECT_EQ(one[i].images.vertex, four[i].images.vertex);
+  }
+}
+
+// A torus turned about its axis by a third, a quarter, and an angle that never comes back.
+TEST(RankMaps, RotationsKnowTheirOrder) {
+  constexpr int kAround = 48, kAlong = 16;
+  shapes::Symmetric torus;
+  torus.mesh = shapes::torus(kAround, kAlong);
+  const Scene s(torus);
+  const auto turned = [&](int steps) {
+    return s.map_by([&](int v) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; });
+  };
+  const auto order = [&](int steps) {
+    const auto ranking = rank_maps(s.matching(false), s.sites, {turned(steps)}, s.no_references, Refine::contenders, 1);
+    return ranking.empty() ? -1 : ranking[0].order;
+  };
+  EXPECT_EQ(order(kAround / 2), 2);
+  EXPECT_EQ(order(kAround / 3), 3);
+  EXPECT_EQ(order(kAround / 4), 4);
+}
+
+TEST(Confidence, IsTheRelativeLeadOfTheBest) {
+  const auto confidence = [](const std::vector<double>& scores) {
+    std::vector<Candidate> ranking;
+    for (const double score : scores) ranking.push_back({{}, 2, score});
+    return confidence_of(ranking);
+  };
+  EXPECT_EQ(confidence({0.1}), 1);
+  EXPECT_EQ(confidence({0.1, 0.4}), 0.75);
+  EXPECT_EQ(confidence({0.1, 0.1}), 0);
+  EXPECT_EQ(confidence({0, 0}), 0) << "two perfect symmetries: no telling which";
+  EXPECT_EQ(confidence({0, 0.1}), 1);
+  EXPECT_EQ(confidence({0.1, INFINITY}), 1);
+  EXPECT_EQ(confidence({INFINITY, INFINITY}), 0);
+}
+
+}  // namespace
+}  // namespace ga_symmetry
