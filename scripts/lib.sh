@@ -21,7 +21,7 @@ build_packages=(g++ cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev libn
                 nlohmann-json3-dev meshlab qtbase5-dev libqt5opengl5-dev libglew-dev)
 screen_packages=(xvfb xauth)
 picture_packages=(xdotool imagemagick)
-test_packages=(libgtest-dev librapidcheck-dev lintian parallel)
+test_packages=(libgtest-dev lintian parallel)
 
 # configure PRESET [OPTION]...: fetches MeshLab's source if need be, configures build/PRESET.
 configure() {
