@@ -34,6 +34,20 @@ for order, name in (("<", "binary_little_endian"), (">", "binary_big_endian")):
 doubles = (header % ("binary_little_endian", "property list uchar float extra\n")).replace("float x", "double x")
 seed("mesh_file", "ply_list", b"\x01" + doubles.encode() + b"".join(
     struct.pack("<d2fBf", *v, 1, 0.5) for v in V) + b"".join(struct.pack("<B3i", 3, *f) for f in F))
+lists = header.replace("element face", "property list double int extra\nelement face")
+seed("mesh_file", "ply_list_double", "\x01" + lists % ("ascii", "") + "".join("%g %g %g 0\n" % v for v in V) + "3 0 1 2\n3 0 2 3\n")
+strips = header.replace("element face 2\nproperty list uchar", "element tristrips 1\nproperty list int")
+seed("mesh_file", "ply_tristrips", "\x01" + strips % ("ascii", "") + rows + "8 0 1 2 3 -1 3 1 0\n")
+seed("mesh_file", "ply_tristrips_binary", b"\x01" + (strips % ("binary_big_endian", "")).encode() + b"".join(
+    struct.pack(">3f", *v) for v in V) + struct.pack(">9i", 8, 0, 1, 2, 3, -1, 3, 1, 0))
+# The kind, the format, which elements; then each element: rows, types of what counts, how many others behind each.
+made = bytes([4, 0, 2, 4, 6, 0, 6, 0, 7, 0, 0, 1, 1, 4, 0])
+seed("mesh_file", "ply_made", made + ("".join("%g %g %g\n" % v for v in V) + "3 0 1 2\n").encode())
+seed("mesh_file", "ply_made_others", bytes([4, 0, 14, 4, 6, 1, 1, 7, 4, 6, 0, 7, 1, 0, 5, 0, 1, 3, 2, 0, 2, 4, 4, 0])
+     + ("".join("%g 0 %g %g 3\n" % v for v in V) + "3 0 1 2\n4 0 1 2 3\n3 1 2 3\n").encode())
+seed("mesh_file", "ply_made_binary", bytes([4, 1, 2, 4, 6, 0, 6, 0, 6, 0, 0, 1, 1, 4, 0])
+     + b"".join(struct.pack("<3f", *v) for v in V) + struct.pack("<B3i", 3, 0, 1, 2))
+seed("mesh_file", "off_glued", "\x00OFF4 3 0\n# rows\n" + rows + "3 0 1 2 255 0 0\n2 0 1\n0\n")
 seed("mesh_file", "obj", "\x02o seed\n" + "".join("v %g %g %g\n" % v for v in V) + "vn 0 0 1\nf 1/1/1 2 3//1\nf -4 -2 \\\n-1\n")
 facets = "".join("facet normal 0 0 1\nouter loop\n" + "".join("vertex %g %g %g\n" % V[i] for i in f) + "endloop\nendfacet\n" for f in F)
 seed("mesh_file", "stl_ascii", "\x03solid s\n" + facets + "endsolid s\n")
@@ -46,7 +60,7 @@ seed("partners", "csv_short", "\x00vertex partner\r\n0 -1\r\n")
 
 
 def checksum():
-    """Of the mesh in partners.cpp, as in export.h; without it nothing behind the checksum is reached."""
+    """Of the mesh in partners.cpp, as in io.h; without it nothing behind the checksum is reached."""
     data = struct.pack("<QQ", 25, 32)
     for i in range(25):
         data += struct.pack("<3f", i % 5, i // 5, 0.1 * (i % 3))

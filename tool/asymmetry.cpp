@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "ga_symmetry/io.h"
 #include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -24,7 +25,7 @@ void run(const Arguments& a, const Context& interrupt) {
   const auto values = asymmetry(mesh, read_checked_partners(a.partners, mesh), a.options, bar.watch(interrupt));
   bar.clear();
   if (drawing) return deliver(a.output, to_ply({mesh.position, values, {}, mesh.triangle}));
-  Table table("vertex,asymmetry");
+  CsvWriter table("vertex,asymmetry");
   for (std::size_t v = 0; v < values.size(); ++v) table.cell(static_cast<int>(v)).cell(values[v]).end_row();
   deliver(a.output, table.text());
 }

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "ga_symmetry/io.h"
 #include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -24,7 +25,7 @@ void run(const Arguments& a, const Context& interrupt) {
   const Partners partners = read_checked_partners(a.partners, mesh);
   const auto lines = axis_lines(mesh, partners, a.threads, bar.watch(interrupt));
   bar.clear();
-  Table table("line,x,y,z,fitness");
+  CsvWriter table("line,x,y,z,fitness");
   Drawing drawn;
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (std::size_t k = 0; k < lines[i].size(); ++k) {

@@ -12,7 +12,7 @@
 #include "commands.h"
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/io.h"
-#include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -63,16 +63,6 @@ std::vector<Job> make_jobs(const ManyMeshes& many) {
   return jobs;
 }
 
-// A cell of text, quoted as in RFC 4180 where it must be; one line.
-std::string text_cell(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  if (text.find_first_of(",\"") == text.npos) return text;
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + '"';
-}
-
 // The summary: a row for each mesh, in the order of the names.
 class Summary {
  public:
@@ -89,19 +79,19 @@ class Summary {
   void done(const std::string& name, const Result& r, double seconds) {
     std::string warnings;
     for (const std::string& warning : r.warnings) warnings += (warnings.empty() ? "" : "; ") + warning;
-    Table row("");
+    CsvWriter row("");
     row.cell(static_cast<int>(r.partners.partner.size())).cell(r.matched).cell(r.confidence).cell(r.mean_fitness);
     row.cell(static_cast<int>(r.log.size())).cell(seconds);
-    put(name, "done", row.text().substr(1), warnings);
+    put(name, "done", row.text(), warnings);
   }
   void failed(const std::string& name, const std::string& why, double seconds) {
-    Table row("");
+    CsvWriter row("");
     row.cell(seconds);
-    put(name, "failed", ",,,,," + row.text().substr(1), why);
+    put(name, "failed", ",,,,," + row.text(), why);
   }
   /// Keeps what is known of it.
   void skipped(const std::string& name) {
-    const auto row = rows_.find(text_cell(name));
+    const auto row = rows_.find(csv_cell(name));
     if (row == rows_.end() || row->second.compare(row->first.size(), 6, ",done,") != 0)
       put(name, "skipped", ",,,,,", "finished before");
   }
@@ -119,8 +109,8 @@ class Summary {
     return row.substr(0, end);
   }
   void put(const std::string& name, const char* status, const std::string& figures, const std::string& message) {
-    const std::string cell = text_cell(name);
-    rows_[cell] = cell + "," + status + "," + figures + "," + text_cell(message);
+    const std::string cell = csv_cell(name);
+    rows_[cell] = cell + "," + status + "," + figures + "," + csv_cell(message);
   }
 
   std::string path_;

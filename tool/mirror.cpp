@@ -10,6 +10,7 @@
 #include "ga_symmetry/io.h"
 #include "io/value_table.h"
 #include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -25,9 +26,10 @@ void run(const Arguments& a, const Context& interrupt) {
   const TransferPlan plan = plan_transfer(read_checked_partners(a.partners, mesh), a.transfer);
   ValueTable values = read_value_table(a.values, mesh.vertices());
   for (auto& column : values.columns) column = transferred(column, plan, a.transfer);
-  std::string header = "vertex";
-  for (const std::string& name : values.names) header += "," + name;
-  Table table(header);
+  CsvWriter table("");
+  table.cell("vertex");
+  for (const std::string& name : values.names) table.cell(name);
+  table.end_row();
   for (int v = 0; v < mesh.vertices(); ++v) {
     table.cell(v);
     for (const auto& column : values.columns) table.cell(column[v]);

@@ -7,6 +7,7 @@
 #include "ga_symmetry/axis.h"
 #include "ga_symmetry/io.h"
 #include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -22,7 +23,7 @@ void run(const Arguments& a, const Context& interrupt) {
   const TriangleMesh mesh = read_mesh(a.mesh, interrupt);
   const auto pairs = spread_pairs(mesh, read_checked_partners(a.partners, mesh), a.count, bar.watch(interrupt));
   bar.clear();
-  Table table("vertex,partner,fitness");
+  CsvWriter table("vertex,partner,fitness");
   Drawing links;
   for (const SymmetricPair& pair : pairs) {
     table.cell(pair.vertex).cell(pair.partner).cell(pair.fitness).end_row();

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "ga_symmetry/io.h"
 #include "table.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
 namespace {
@@ -22,7 +23,7 @@ void run(const Arguments& a, const Context& context) {
   const bool drawing = wants_drawing(a.output);
   const TriangleMesh mesh = read_mesh(a.mesh, context.part(0, 0.3));
   const SpacedSamples samples = spaced_samples(mesh, a.count, false, a.threads, context.part(0.3, 1, "samples"));
-  Table table("vertex,patch,sample");
+  CsvWriter table("vertex,patch,sample");
   for (int v = 0; v < mesh.vertices(); ++v)
     if (const int patch = samples.patch[v]; patch >= 0) table.cell(v).cell(patch).cell(samples.vertex[patch]).end_row();
   const std::vector<double> quality(samples.patch.begin(), samples.patch.end());

@@ -1,43 +1,14 @@
 #include "table.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/io.h"
+#include "util/csv.h"
 
 namespace ga_symmetry::tool {
-namespace {
-
-template <class Number>
-std::string to_text(Number value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
-}  // namespace
-
-Table::Table(std::string_view header) : text_(header) { end_row(); }
-
-void Table::append(std::string_view cell) {
-  if (text_.back() != '\n') text_ += ',';
-  text_ += cell;
-}
-
-Table& Table::cell(int value) {
-  append(to_text(value));
-  return *this;
-}
-
-Table& Table::cell(double value) {
-  append(to_text(value));
-  return *this;
-}
-
-void Table::end_row() { text_ += '\n'; }
-
 std::string to_ply(const Drawing& d) {
   std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(d.quality.size()) +
                     "\nproperty double x\nproperty double y\nproperty double z\nproperty double quality\n";
@@ -47,15 +18,15 @@ std::string to_ply(const Drawing& d) {
     out += "element edge " + std::to_string(d.edges.size()) + "\nproperty int vertex1\nproperty int vertex2\n";
   out += "end_header\n";
   for (std::size_t i = 0; i < d.quality.size(); ++i) {
-    for (int k = 0; k < 3; ++k) out += to_text(d.position[3 * i + k]) + ' ';
-    out += to_text(d.quality[i]) + '\n';
+    for (int k = 0; k < 3; ++k) out += number_text(d.position[3 * i + k]) + ' ';
+    out += number_text(d.quality[i]) + '\n';
   }
   for (std::size_t i = 0; i < d.triangles.size(); i += 3) {
     out += '3';
-    for (int k = 0; k < 3; ++k) out += ' ' + to_text(d.triangles[i + k]);
+    for (int k = 0; k < 3; ++k) out += ' ' + number_text(d.triangles[i + k]);
     out += '\n';
   }
-  for (const auto& [a, b] : d.edges) out += to_text(a) + ' ' + to_text(b) + '\n';
+  for (const auto& [a, b] : d.edges) out += number_text(a) + ' ' + number_text(b) + '\n';
   return out;
 }
 

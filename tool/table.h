@@ -1,25 +1,10 @@
-// What the subcommands write: tables of numbers, and drawings for any mesh viewer.
+// What the subcommands write beside tables: drawings for any mesh viewer.
 #pragma once
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ga_symmetry::tool {
-
-/// Comma-separated rows, built cell by cell; numbers are the shortest that read back as the same.
-class Table {
- public:
-  explicit Table(std::string_view header);
-  Table& cell(int value);
-  Table& cell(double value);
-  void end_row();
-  const std::string& text() const { return text_; }
-
- private:
-  void append(std::string_view cell);
-  std::string text_;
-};
 
 /// Points with a value each, and what joins them.
 struct Drawing {

@@ -264,7 +264,7 @@ TEST_F(DataSet, LinesOfTwoFilesFromOne) {
 TEST_F(DataSet, RefusesWhatIsWrong) {
   expect_refused("a.off", "nothing is known of a");
   write("a.truth", "");
-  expect_refused("a.off", "a.truth: it is missing, empty or not a file");
+  expect_refused("a.off", "a.truth: the file is empty");
   write("a.truth", "\n\n");
   expect_refused("a.off", "names no pair");
   write("a.truth", "0 1\n0\n");

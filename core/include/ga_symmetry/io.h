@@ -11,7 +11,8 @@
 
 namespace ga_symmetry {
 
-/// Reads PLY, OFF, OBJ or STL (polygons are split into triangles; STL corners are merged).
+/// Reads PLY, OFF, OBJ or STL, told by the ending. Polygons and triangle strips become triangles, faces of less than
+/// three vertices are skipped, corners of an STL at one place are one vertex; nothing else is kept of the file.
 /// @throws FileError  with the reason, if the file cannot be read as a triangle mesh
 /// @throws Cancelled
 TriangleMesh read_mesh(const std::string& path, const Context& context = {});

@@ -1,12 +1,10 @@
 #include <fcntl.h>
 #include <unistd.h>
-#include <vcg/complex/complex.h>
-#include <wrap/io_trimesh/export_ply.h>
+#include <vcg/space/color4.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -15,11 +13,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/io.h"
 #include "ga_symmetry/result.h"
+#include "util/csv.h"
 
 namespace ga_symmetry {
 namespace {
@@ -65,8 +65,6 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  const std::string& temporary() const { return temporary_; }
-
   void write(const std::string& bytes, const Context& context = {}) const {
     constexpr std::size_t kPiece = 1 << 24;
     errno = 0;
@@ -104,20 +102,12 @@ void stop_at(std::size_t v, const Context& context) {
 }
 
 std::string to_csv(const Result& result, const Context& context) {
-  std::string out = "vertex,partner,fitness,side\n";
-  char cell[32];
-  const auto append = [&](auto value, char end) {
-    out.append(cell, std::to_chars(cell, cell + sizeof cell, value).ptr);
-    out += end;
-  };
+  CsvWriter table("vertex,partner,fitness,side");
   for (std::size_t v = 0; v < result.partners.partner.size(); ++v) {
     stop_at(v, context);
-    append(v, ',');
-    append(result.partners.partner[v], ',');
-    append(result.partners.fitness[v], ',');
-    append(result.partners.side[v], '\n');
+    table.cell(static_cast<int>(v)).cell(result.partners.partner[v]).cell(result.partners.fitness[v]).cell(result.partners.side[v]).end_row();
   }
-  return out;
+  return table.text();
 }
 
 using Json = nlohmann::ordered_json;
@@ -182,72 +172,54 @@ std::string to_json(const TriangleMesh& mesh, const Result& result, const Contex
   return out + "}\n";
 }
 
-class PlyVertex;
-class PlyFace;
-struct PlyTypes : vcg::UsedTypes<vcg::Use<PlyVertex>::AsVertexType, vcg::Use<PlyFace>::AsFaceType> {};
-// The exporter declares the quality with the type of the coordinates: both must be double.
-class PlyVertex : public vcg::Vertex<PlyTypes, vcg::vertex::Coord3d, vcg::vertex::Qualityd, vcg::vertex::Color4b,
-                                     vcg::vertex::BitFlags> {};
-class PlyFace : public vcg::Face<PlyTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
-class PlyMesh : public vcg::tri::TriMesh<std::vector<PlyVertex>, std::vector<PlyFace>> {
- public:
-  ~PlyMesh() { ClearAttributes(); }  // the base class does not
-};
-
-// float, because MeshLab's own attributes are.
 template <class Value>
-void add_attribute(PlyMesh& mesh, vcg::tri::io::PlyInfo& info, const char* name, const std::vector<Value>& values) {
-  auto attribute = vcg::tri::Allocator<PlyMesh>::AddPerVertexAttribute<float>(mesh, name);
-  for (std::size_t v = 0; v < values.size(); ++v) attribute[v] = static_cast<float>(values[v]);
-  // Not AddPerVertexFloatAttribute: in 2020.09 it writes to the first PlyInfo of the process, alive or not.
-  vcg::ply::PropDescriptor property{};
-  property.elemname = "vertex";
-  property.propname = name;
-  property.stotype1 = property.memtype1 = vcg::ply::T_FLOAT;
-  info.VertDescriptorVec.push_back(property);
-  info.VertAttrNameVec.push_back(name);
-}
-
-// The exporter does not notice a disk that fills up while its last buffer is written.
-bool is_whole(const std::string& path, const TriangleMesh& mesh) {
-  constexpr std::uintmax_t kVertex = 3 * 8 + 4 + 8 + 3 * 4, kFace = 1 + 3 * 4;
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  while (std::getline(in, line) && line != "end_header") {
+void append_little_endian(std::string& out, Value value) {
+  static_assert(sizeof value <= 8);
+  unsigned char bytes[sizeof value];
+  std::uint64_t bits = 0;
+  if constexpr (std::is_floating_point_v<Value>) {
+    std::conditional_t<sizeof value == 4, std::uint32_t, std::uint64_t> pattern;
+    static_assert(sizeof pattern == sizeof value);
+    std::memcpy(&pattern, &value, sizeof value);
+    bits = pattern;
+  } else {
+    bits = static_cast<std::uint64_t>(value);
   }
-  const auto header = in.tellg();
-  std::error_code error;
-  return header > 0 && fs::file_size(path, error) == static_cast<std::uintmax_t>(header) +
-                                                         kVertex * static_cast<std::uintmax_t>(mesh.vertices()) +
-                                                         kFace * static_cast<std::uintmax_t>(mesh.triangles());
+  for (std::size_t i = 0; i < sizeof value; ++i) bytes[i] = static_cast<unsigned char>(bits >> 8 * i);
+  out.append(reinterpret_cast<const char*>(bytes), sizeof value);
 }
 
-void write_ply(const std::string& path, const PendingFile& file, const TriangleMesh& mesh, const Result& result,
-               const Context& context) {
-  PlyMesh out;
-  vcg::tri::Allocator<PlyMesh>::AddVertices(out, mesh.vertices());
-  vcg::tri::Allocator<PlyMesh>::AddFaces(out, mesh.triangles());
+// The attributes are float, because MeshLab's own are.
+std::string to_ply(const TriangleMesh& mesh, const Result& result, const Context& context) {
+  std::string out = "ply\nformat binary_little_endian 1.0\ncomment made by ga_symmetry\nelement vertex " +
+                    std::to_string(mesh.vertices()) +
+                    "\nproperty double x\nproperty double y\nproperty double z\n"
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                    "property double quality\nproperty float symmetry_partner\nproperty float symmetry_fitness\n"
+                    "property float symmetry_side\nelement face " +
+                    std::to_string(mesh.triangles()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  constexpr std::size_t kVertex = 3 * 8 + 4 + 8 + 3 * 4, kFace = 1 + 3 * 4;
+  const std::size_t vertices = result.partners.partner.size();
+  out.reserve(out.size() + kVertex * vertices + kFace * mesh.triangle.size() / 3);
   const double top = ramp_top(result.partners.partner, result.partners.fitness);
-  for (std::size_t v = 0; v < out.vert.size(); ++v) {
-    const double* p = &mesh.position[3 * v];
-    out.vert[v].P() = {p[0], p[1], p[2]};
-    out.vert[v].Q() = result.partners.fitness[v];
+  for (std::size_t v = 0; v < vertices; ++v) {
+    stop_at(v, context);
+    for (int k = 0; k < 3; ++k) append_little_endian(out, mesh.position[3 * v + k]);
     // From the top to 0: the ramp's first colour is red.
-    out.vert[v].C() = vcg::Color4b::Blue;
-    if (top > 0)
-      out.vert[v].C().SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.partners.fitness[v]));
+    vcg::Color4b color = vcg::Color4b::Blue;
+    if (top > 0) color.SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.partners.fitness[v]));
+    for (int k = 0; k < 4; ++k) append_little_endian(out, color[k]);
+    append_little_endian(out, result.partners.fitness[v]);
+    append_little_endian(out, static_cast<float>(result.partners.partner[v]));
+    append_little_endian(out, static_cast<float>(result.partners.fitness[v]));
+    append_little_endian(out, static_cast<float>(result.partners.side[v]));
   }
-  for (std::size_t c = 0; c < mesh.triangle.size(); ++c) out.face[c / 3].V(c % 3) = &out.vert[mesh.triangle[c]];
-  vcg::tri::io::PlyInfo info;
-  info.mask = vcg::tri::io::Mask::IOM_VERTCOLOR | vcg::tri::io::Mask::IOM_VERTQUALITY;
-  add_attribute(out, info, "symmetry_partner", result.partners.partner);
-  add_attribute(out, info, "symmetry_fitness", result.partners.fitness);
-  add_attribute(out, info, "symmetry_side", result.partners.side);
-  stop_at(0, context);
-  using Exporter = vcg::tri::io::ExporterPLY<PlyMesh>;
-  const int error = Exporter::Save(out, file.temporary().c_str(), true, info);
-  if (error) fail(path, Exporter::ErrorMsg(error));
-  if (!is_whole(file.temporary(), mesh)) fail(path, "it could not be written whole (is the disk full?)");
+  for (std::size_t c = 0; c < mesh.triangle.size(); ++c) {
+    stop_at(c, context);
+    if (c % 3 == 0) out += '\3';
+    append_little_endian(out, static_cast<std::int32_t>(mesh.triangle[c]));
+  }
+  return out;
 }
 
 void check_fits(const TriangleMesh& mesh, const Result& result) {
@@ -327,7 +299,7 @@ void write_results(const std::vector<std::string>& paths, const TriangleMesh& me
         file.write(to_json(mesh, result, context), context);
         break;
       case Format::ply:
-        write_ply(path, file, mesh, result, context);
+        file.write(to_ply(mesh, result, context), context);
         break;
     }
     stop_at(0, context);
