@@ -93,7 +93,7 @@ double best_80(const std::vector<double>& fitness, const std::vector<double>& er
 std::vector<Figures> measure(const std::string& path, std::uint64_t seed, bool automatic) {
   const TriangleMesh mesh = read_mesh(path);
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  const bench::KnownSymmetry known = bench::read_known_symmetry(path, folder, mesh.vertices());
+  const comparison::KnownSymmetry known = comparison::read_known_symmetry(path, folder, mesh.vertices());
   std::vector<Figures> out;
   std::vector<Result> results;
   for (const Variant& variant : variants) {

@@ -56,7 +56,7 @@ double yardstick(const Surface& surface) {
 }
 
 // At up to 50 lines of the truth: vertices keep their numbers when faces are cut.
-double mean_error(const Surface& surface, const bench::KnownSymmetry& known, const std::vector<int>& partner) {
+double mean_error(const Surface& surface, const comparison::KnownSymmetry& known, const std::vector<int>& partner) {
   const GeodesicSolver solver(surface);
   const auto workspace = solver.make_workspace();
   std::vector<float> field(surface.vertices());
@@ -73,7 +73,7 @@ double mean_error(const Surface& surface, const bench::KnownSymmetry& known, con
   return sum / count;
 }
 
-void run(TriangleMesh mesh, const bench::KnownSymmetry& known, int levels, const Options& options) {
+void run(TriangleMesh mesh, const comparison::KnownSymmetry& known, int levels, const Options& options) {
   std::printf("%9s %9s %10s %7s %8s %7s  %s\n", "vertices", "seconds", "yardstick", "ratio", "peak MB", "error",
               "stages");
   for (int level = 0; level <= levels; ++level) {
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     const std::string path = argv[1],
                       folder = path.find('/') == std::string::npos ? "." : path.substr(0, path.rfind('/'));
     TriangleMesh mesh = read_mesh(path);
-    const bench::KnownSymmetry known = bench::read_known_symmetry(path, folder, mesh.vertices());
+    const comparison::KnownSymmetry known = comparison::read_known_symmetry(path, folder, mesh.vertices());
     Options options;
     options.references = known.references;
     options.threads = argc > 3 ? std::atoi(argv[3]) : 2;

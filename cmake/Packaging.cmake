@@ -1,5 +1,6 @@
 # What `cmake --install` lays down, the CMake package of the core, and the Debian package.
 include(CMakePackageConfigHelpers)
+include(ReleaseDate)
 
 # The core, for find_package(ga_symmetry).
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ga_symmetry)
@@ -47,7 +48,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-matplotlib)  # plots of `ga_symmetry compare`
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-jinja2, python3-matplotlib")  # the page of `ga_symmetry compare`
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if(TARGET filter_ga_symmetry)
   # A plugin fits the release that it was compiled for only.
@@ -65,11 +66,12 @@ Copyright: 2026 the authors of ga_symmetry
 License: GPL-3
  On Debian systems the full text of the licence is in /usr/share/common-licenses/GPL-3.
 ")
+release_date(date ${PROJECT_VERSION} ${PROJECT_SOURCE_DIR}/CHANGELOG.md "%a, %d %b %Y %H:%M:%S +0000")
 file(WRITE ${debian}/changelog "ga-symmetry (${PROJECT_VERSION}-1) unstable; urgency=medium
 
   * Version ${PROJECT_VERSION}; changelog.gz says what is new.
 
- -- ${CPACK_PACKAGE_CONTACT}  Mon, 23 Nov 2026 00:00:00 +0000
+ -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
 install(FILES ${debian}/copyright DESTINATION ${documents})
 install_compressed(${debian}/changelog changelog.Debian ${documents})

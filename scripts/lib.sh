@@ -21,7 +21,10 @@ build_packages=(g++ cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev libn
                 nlohmann-json3-dev meshlab qtbase5-dev libqt5opengl5-dev libglew-dev)
 screen_packages=(xvfb xauth)
 picture_packages=(xdotool imagemagick)
-test_packages=(libgtest-dev lintian parallel)
+# What makes the page of `ga_symmetry compare`, and the API reference.
+page_packages=(python3-jinja2 python3-matplotlib)
+docs_packages=(doxygen)
+test_packages=(libgtest-dev lintian parallel "${page_packages[@]}" "${docs_packages[@]}")
 
 # configure PRESET [OPTION]...: fetches MeshLab's source if need be, configures build/PRESET.
 configure() {

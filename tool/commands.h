@@ -25,6 +25,6 @@ void add_mirror(CLI::App& app, Run& chosen);
 void add_asymmetry(CLI::App& app, Run& chosen);
 void add_samples(CLI::App& app, Run& chosen);
 void add_score(CLI::App& app, Run& chosen);
-void add_compare(CLI::App& app, Run& chosen);
+void add_compare(CLI::App& app, Run& chosen);  // only where GA_SYMMETRY_COMPARISON is on
 
 }  // namespace ga_symmetry::tool

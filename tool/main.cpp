@@ -44,8 +44,11 @@ int main(int argc, char** argv) {
       "Example:\n  ga_symmetry find body.ply -o body.csv\n`ga_symmetry COMMAND --help` lists a command's options.");
   tool::Run run;
   for (const auto add : {tool::add_find, tool::add_pairs, tool::add_axis, tool::add_mirror, tool::add_asymmetry,
-                         tool::add_samples, tool::add_score, tool::add_compare})
+                         tool::add_samples, tool::add_score})
     add(app, run);
+#ifdef GA_SYMMETRY_COMPARISON
+  tool::add_compare(app, run);
+#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -53,6 +56,7 @@ int main(int argc, char** argv) {
   }
 
   interrupt_on_signal();
+  signal(SIGCHLD, SIG_DFL);  // ignored, as some parents leave it, it hides how a child ended
   signal(SIGXFSZ, SIG_IGN);  // a file that must not grow on is an error like a full disk
   Context context;
   context.cancel = &interrupted;

@@ -22,7 +22,7 @@ namespace ga_symmetry {
 namespace {
 
 using namespace baselines;
-using bench::method;
+using comparison::method;
 namespace fs = std::filesystem;
 
 std::vector<AxisDistances> random_distances(int count, double zeros, Random& random) {
@@ -139,7 +139,7 @@ TEST(Methods, EachFindsMostPartnersOfAnExactSymmetry) {
   for (int v = 0; v < shape.mesh.vertices(); v += 5) truth.push_back({v, shape.partner[v]});
   std::vector<std::vector<int>> maps;
   std::vector<std::string> names;
-  for (const bench::Method& m : bench::methods()) {
+  for (const comparison::Method& m : comparison::methods()) {
     if (m.name.find("-full") != m.name.npos) continue;
     maps.push_back(m.run({shape.mesh, references, 1, 0}, {}).partner);
     names.push_back(m.name);
@@ -171,20 +171,20 @@ TEST(Methods, NeedNoWholeMesh) {
 
 TEST(Durations, TheGeneticAlgorithmNeverBeatsTheOptimum) {
   const shapes::Symmetric shape = shapes::bent(shapes::creature(4), 0.1);
-  const bench::PairsScene scene =
-      bench::make_pairs_scene(shape.mesh, {{shape.axis[0], shape.axis[1]}, {shape.pair}}, 400, 1, {});
+  const comparison::PairsScene scene =
+      comparison::make_pairs_scene(shape.mesh, {{shape.axis[0], shape.axis[1]}, {shape.pair}}, 400, 1, {});
   ASSERT_EQ(scene.samples.left.size(), 200u);
   for (PairError error : {PairError::squared, PairError::linear})
     for (std::uint64_t seed : {1, 2}) {
       PairsOptions options;
       options.error = error;
-      const auto durations = bench::measure_durations(scene.samples, options, seed, {});
+      const auto durations = comparison::measure_durations(scene.samples, options, seed, {});
       ASSERT_EQ(durations.size(), 8u);
       const double optimum = durations[0].fitness;
       EXPECT_EQ(durations[0].search, "naive");
       EXPECT_EQ(durations[1].search, "kdtree");
       EXPECT_EQ(durations[1].fitness, optimum);
-      for (const bench::Duration& d : durations) {
+      for (const comparison::Duration& d : durations) {
         EXPECT_GE(d.fitness, optimum) << d.search;
         EXPECT_GT(d.seconds, 0) << d.search;
         if (d.reached) {
@@ -194,7 +194,7 @@ TEST(Durations, TheGeneticAlgorithmNeverBeatsTheOptimum) {
           EXPECT_LE(d.evaluations, durations[0].evaluations);
         }
       }
-      const bench::Evolution run = bench::watch_pairs(scene.samples, options, 0, seed, {});
+      const comparison::Evolution run = comparison::watch_pairs(scene.samples, options, 0, seed, {});
       ASSERT_EQ(run.log.size(), run.seconds.size());
       EXPECT_GE(run.log.back().best, optimum);
       for (std::size_t g = 1; g < run.seconds.size(); ++g) EXPECT_GE(run.seconds[g], run.seconds[g - 1]);
@@ -202,8 +202,8 @@ TEST(Durations, TheGeneticAlgorithmNeverBeatsTheOptimum) {
 }
 
 TEST(Durations, ConvergenceIsWithinATwentiethOfTheFall) {
-  EXPECT_EQ(bench::convergence_generation({{0, 10, 0, 1}, {1, 4, 0, 1}, {2, 0.5, 0, 1}, {3, 0, 0, 1}}), 2);
-  EXPECT_EQ(bench::convergence_generation({{0, 3, 0, 1}}), 0);
+  EXPECT_EQ(comparison::convergence_generation({{0, 10, 0, 1}, {1, 4, 0, 1}, {2, 0.5, 0, 1}, {3, 0, 0, 1}}), 2);
+  EXPECT_EQ(comparison::convergence_generation({{0, 3, 0, 1}}), 0);
 }
 
 class DataSet : public testing::Test {
@@ -215,8 +215,8 @@ class DataSet : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-  bench::KnownSymmetry read(const std::string& mesh, int vertices = 10) {
-    return bench::read_known_symmetry(mesh, folder_.string(), vertices);
+  comparison::KnownSymmetry read(const std::string& mesh, int vertices = 10) {
+    return comparison::read_known_symmetry(mesh, folder_.string(), vertices);
   }
   // The message of the refusal: one line that names the file.
   void expect_refused(const std::string& mesh, const std::string& says) {
@@ -296,7 +296,7 @@ TEST_F(DataSet, RefusesWhatIsWrong) {
   expect_refused("c.off", "number of a landmark, 0 to 1, got 2");
   fs::create_directory(folder_ / "d.truth");
   expect_refused("d.off", "d.truth");
-  EXPECT_THROW(bench::read_known_symmetry("a.off", (folder_ / "none").string(), 3), FileError);
+  EXPECT_THROW(comparison::read_known_symmetry("a.off", (folder_ / "none").string(), 3), FileError);
 }
 
 }  // namespace

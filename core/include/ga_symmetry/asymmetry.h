@@ -15,8 +15,9 @@ enum class AsymmetryMeasure {
   curvature,  ///< difference of their mean curvatures times sqrt(area); convex counts as more
 };
 
+/// What can be chosen of asymmetry().
 struct AsymmetryOptions {
-  AsymmetryMeasure measure = AsymmetryMeasure::area;
+  AsymmetryMeasure measure = AsymmetryMeasure::area;  ///< what is compared
   double radius = 0.1;  ///< of the discs, over sqrt(area), (0,1]; the time grows with its square
   int threads = 0;      ///< 0 = all cores, [0, 256]; speed only
 };

@@ -12,7 +12,10 @@ namespace ga_symmetry {
 
 /// Evenly spread pairs: every further one starts at the vertex farthest from the starts before it, of those on the left
 /// (of all, where there are no sides) that have a partner other than themselves. So the first k of N are the k pairs.
-/// @param count  pairs, >= 1; fewer where there are not so many
+/// @param mesh     any; a mesh of several components counts by its largest
+/// @param partners  of that mesh
+/// @param count    pairs, >= 1; fewer where there are not so many
+/// @param context  progress and cancelling
 /// @throws InvalidOption  if count < 1, or as check_partners
 /// @throws InvalidMesh    as make_surface with the largest component
 /// @throws Cancelled
@@ -23,7 +26,9 @@ std::vector<SymmetricPair> spread_pairs(const TriangleMesh& mesh, const Partners
 /// repeats its first point. Where the distances to evenly spread vertices of the left and to their partners are equal:
 /// a smooth line, though each single partner is off by a little. On a surface without a border it leaves one piece on
 /// each side: one closed line, or as many as the surface has handles, and one more.
+/// @param mesh, partners  as in spread_pairs
 /// @param threads  0 = all cores, [0, 256]; speed only
+/// @param context  progress and cancelling
 /// @throws as spread_pairs; InvalidOption too if there are no sides, as after a rotation
 std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, const Partners& partners, int threads,
                                                   const Context& context = {});

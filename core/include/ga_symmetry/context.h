@@ -14,6 +14,7 @@ struct Context {
   /// What `advance` reports; null = it reports nothing.
   const char* stage = nullptr;
 
+  /// Asked to stop.
   bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
   /// Reports progress. @throws Cancelled if asked to stop.
   void report(double fraction, const char* stage) const;

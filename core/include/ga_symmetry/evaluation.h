@@ -36,10 +36,11 @@ extern const double correspondence_radius;
 /// marching (Kimmel & Sethian 1998, without splitting obtuse triangles): figures of different programs can be compared
 /// only by one definition, and this is the usual one. It overestimates short distances, so means are up to 8 % higher
 /// than by more exact ones.
-/// @param partners  maps of the same mesh, each per vertex: its partner, -1 = none. The work is nearly the same for
-/// many
-///        as for one
-/// @param threads  0 = all cores; never changes the figures
+/// @param mesh      of the truth and of the maps
+/// @param truth     not empty
+/// @param partners  maps, each per vertex: its partner, -1 = none. The work is nearly the same for many as for one
+/// @param threads   0 = all cores; never changes the figures
+/// @param context   progress and cancelling
 /// @return one for each map
 /// @throws InvalidMesh    if a triangle names a vertex that does not exist
 /// @throws InvalidOption  if the truth is empty, or it or a partner is out of range

@@ -8,7 +8,9 @@ namespace ga_symmetry {
 struct TriangleMesh {
   std::vector<double> position;  ///< x,y,z per vertex, any length unit
   std::vector<int> triangle;     ///< three vertex indices per face
+  /// Number of vertices.
   int vertices() const { return static_cast<int>(position.size() / 3); }
+  /// Number of faces.
   int triangles() const { return static_cast<int>(triangle.size() / 3); }
 };
 

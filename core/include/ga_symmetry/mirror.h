@@ -7,8 +7,15 @@
 
 namespace ga_symmetry {
 
-enum class Transfer { left_to_right, right_to_left, swap, average };
+/// What becomes of the values of two partners.
+enum class Transfer {
+  left_to_right,  ///< the right takes the left's
+  right_to_left,  ///< the left takes the right's
+  swap,           ///< each takes the other's
+  average,        ///< both take the mean
+};
 
+/// Which vertex takes whose value.
 struct TransferPlan {
   std::vector<int> source;  ///< per vertex: the vertex whose value it takes or is averaged with; -1 = stays as it is
   int changed = 0;          ///< vertices with a source
@@ -20,7 +27,9 @@ struct TransferPlan {
 /// @throws InvalidOption  for left_to_right and right_to_left where no vertex has a side, as after a rotation
 TransferPlan plan_transfer(const Partners& partners, Transfer transfer);
 
-/// @param values  per vertex
+/// The values after a transfer.
+/// @param values   per vertex
+/// @param plan     of as many vertices
 /// @param combine  (own, source's) -> new value
 template <class Value, class Combine>
 std::vector<Value> transferred(const std::vector<Value>& values, const TransferPlan& plan, const Combine& combine) {

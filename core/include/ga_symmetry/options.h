@@ -7,21 +7,33 @@
 
 namespace ga_symmetry {
 
-enum class Method { joint, pairs };
-enum class PairError { squared, linear };
-enum class Sampling { evenly_spaced, uniform };
+/// How the partners are searched for.
+enum class Method {
+  joint,  ///< a genetic search over whole maps
+  pairs,  ///< pair by pair, as in the paper
+};
+/// How far two distances from the same axis point are apart: dL on one side, dR on the other.
+enum class PairError {
+  squared,  ///< ((dL - dR) / dR)^2
+  linear,   ///< |dL - dR| / dR
+};
+/// How the samples of the pair-wise search lie.
+enum class Sampling {
+  evenly_spaced,  ///< farthest points
+  uniform,        ///< drawn at random
+};
 
 /// The paper's pair-wise genetic algorithm; defaults as in the paper.
 struct PairsOptions {
-  PairError error = PairError::squared;
-  int samples = 1000;  ///< on both sides together, [20, 20000]
-  Sampling sampling = Sampling::evenly_spaced;
-  int individuals = 4;                 ///< pairs per reference vertex, [1, 100]
-  int regions = 5;                     ///< distance regions per axis point, [2, 100]
-  double outlier_z = 1.96;             ///< mutate where the Z-error is above
-  double mutation_barrier_z = -1.96;   ///< keep where the Z-error is below
-  double mutation_probability = 0.01;  ///< per pair and generation, [0,1]
-  int max_generations = 300;           ///< [1, 100000]
+  PairError error = PairError::squared;         ///< of the distances from both axis points, summed
+  int samples = 1000;                           ///< on both sides together, [20, 20000]
+  Sampling sampling = Sampling::evenly_spaced;  ///< of the samples
+  int individuals = 4;                          ///< pairs per reference vertex, [1, 100]
+  int regions = 5;                              ///< distance regions per axis point, [2, 100]
+  double outlier_z = 1.96;                      ///< mutate where the Z-error is above
+  double mutation_barrier_z = -1.96;            ///< keep where the Z-error is below
+  double mutation_probability = 0.01;           ///< per pair and generation, [0,1]
+  int max_generations = 300;                    ///< [1, 100000]
 };
 
 /// The joint search: one individual is a partner for every sample. Lengths are relative to sqrt(area).
@@ -34,19 +46,20 @@ struct JointOptions {
   double ruin_probability = 0.4;       ///< of a child to lose a region and have it made anew, [0,1]
   double outlier_z = 1.96;             ///< a gene whose cost has a Z-score above looks at all sites, >= 0
   double distance_weight = 3;          ///< of the terms of the cost, each >= 0
-  double orientation_weight = 1;
-  double continuity_weight = 0.3;
-  double descriptor_weight = 1;  ///< 0.3 times that where references are given
-  double bijectivity_weight = 0.1;
-  double reference_weight = 1;
+  double orientation_weight = 1;       ///< of directions to near samples that do not agree up to one angle
+  double continuity_weight = 0.3;      ///< of distances to near samples that change
+  double descriptor_weight = 1;  ///< of curvatures and the like that differ; 0.3 times that where references are given
+  double bijectivity_weight = 0.1;  ///< of how far the partner's partner is off
+  double reference_weight = 1;      ///< of distances to the references that change
 };
 
+/// What can be chosen of find_symmetry.
 struct Options {
-  Method method = Method::joint;
-  SymmetryKind symmetry = SymmetryKind::reflection;
-  References references;
-  std::uint64_t seed = 1;  ///< same seed + mesh + build => same bytes, whatever `threads`
-  int threads = 0;         ///< 0 = all cores, [0, 256]; speed only, never results
+  Method method = Method::joint;                     ///< how partners are searched for
+  SymmetryKind symmetry = SymmetryKind::reflection;  ///< what is searched for
+  References references;                             ///< what is known; empty = automatic
+  std::uint64_t seed = 1;                            ///< same seed + mesh + build => same bytes, whatever `threads`
+  int threads = 0;                                   ///< 0 = all cores, [0, 256]; speed only, never results
   int proxy = 3000;  ///< a mesh of more than 1.3 times as many vertices is searched on a simplified one of so many, and
                      ///< the result carried back; [1000, 1000000], 0 = never; method joint only
   int rank = 1;      ///< 1 = the best of the symmetries found, 2 = the next best, ..., [1, 30]; method joint only
@@ -56,8 +69,8 @@ struct Options {
   double max_fitness = 0;    ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
                              ///< side lacks; 0 = keep all, [0, 1e6]
   bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
-  PairsOptions pairs;
-  JointOptions joint;
+  PairsOptions pairs;              ///< of the method pairs
+  JointOptions joint;              ///< of the method joint
 };
 
 }  // namespace ga_symmetry

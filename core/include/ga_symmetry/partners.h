@@ -6,6 +6,7 @@
 
 namespace ga_symmetry {
 
+/// Partner, fitness and side of every vertex.
 struct Partners {
   std::vector<int> partner;     ///< per vertex: its partner's index, -1 = none
   std::vector<double> fitness;  ///< per vertex: >= 0, 0 is perfect, dimensionless

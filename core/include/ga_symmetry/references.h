@@ -15,6 +15,7 @@ struct Options;
 struct References {
   std::vector<int> axis;                  ///< on the symmetry axis: the symmetry does not move them
   std::vector<std::array<int, 2>> pairs;  ///< {l, r}: the symmetry takes l to r
+  /// Nothing is known.
   bool empty() const { return axis.empty() && pairs.empty(); }
 };
 

@@ -8,6 +8,7 @@
 
 namespace ga_symmetry {
 
+/// Samples and the patches around them.
 struct SpacedSamples {
   std::vector<int> vertex;            ///< the samples: mesh vertices, all different
   std::vector<int> patch;             ///< per mesh vertex: the number of its nearest sample, -1 where no face is
@@ -16,8 +17,11 @@ struct SpacedSamples {
 
 /// Farthest point sampling by geodesic distance: every further sample is the vertex farthest from those before it, so
 /// the first k of N are the k samples. The first is an end of a long geodesic, whatever the pose and the numbering.
+/// @param mesh     of any connected surface
 /// @param count    samples, [1, vertices that faces use]
+/// @param largest_component  work on it instead of refusing a mesh of several
 /// @param threads  0 = all cores, [0, 256]; speed only
+/// @param context  progress and cancelling
 /// @throws InvalidMesh    as find_symmetry
 /// @throws InvalidOption  if count is out of range
 /// @throws Cancelled

@@ -8,6 +8,7 @@
 #include "ga_symmetry/options.h"
 #include "ga_symmetry/result.h"
 
+/// Intrinsic symmetry of triangle meshes.
 namespace ga_symmetry {
 
 /// Finds for every vertex its partner under an intrinsic symmetry.

@@ -9,7 +9,7 @@
 #include "ga_symmetry/errors.h"
 #include "search/pairs.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 namespace {
 
 using namespace baselines;
@@ -187,4 +187,4 @@ const Method& method(const std::string& name) {
   throw InvalidOption("there is no method " + name + ": choose from " + names);
 }
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison

@@ -8,7 +8,7 @@
 
 #include "search/pairs.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 
 /// The samples of a mesh, and the fitness of the reference pair: what the paper's algorithm starts from.
 struct PairsScene {
@@ -52,4 +52,4 @@ std::vector<Duration> measure_durations(const PairSamples& samples, const PairsO
 /// Qualities at which scan and genetic are stopped.
 constexpr double kQualities[] = {1.0, 0.5, 0.05};
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison

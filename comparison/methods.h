@@ -7,7 +7,7 @@
 
 #include "ga_symmetry/symmetry.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 
 struct MethodInput {
   const TriangleMesh& mesh;
@@ -38,4 +38,4 @@ const std::vector<Method>& methods();
 /// By name. @throws InvalidOption  that lists the names
 const Method& method(const std::string& name);
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison

@@ -8,7 +8,7 @@
 #include "baselines/pair_search.h"
 #include "ga_symmetry/errors.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 namespace {
 
 // Of the calling thread's processor time: other programs do not count.
@@ -121,4 +121,4 @@ std::vector<Duration> measure_durations(const PairSamples& samples, const PairsO
   return out;
 }
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison

@@ -5,7 +5,7 @@
 #include "ga_symmetry/evaluation.h"
 #include "ga_symmetry/symmetry.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 
 struct KnownSymmetry {
   Truth truth;            ///< at least one line
@@ -26,4 +26,4 @@ struct KnownSymmetry {
 /// @throws FileError  in one line, if there is none of them or one cannot be read or names what the mesh does not have
 KnownSymmetry read_known_symmetry(const std::string& mesh_path, const std::string& folder, int vertices);
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison

@@ -1,25 +1,18 @@
-"""Draws the plots of `ga_symmetry compare`: reads the CSV files and pictures.json of a folder, writes PNG files there.
-
-comparison_plots.py FOLDER
-
-Exit status: 0 done, 3 matplotlib is missing.
-"""
+"""The plots of a comparison, drawn from the files that `ga_symmetry compare` wrote. Needs matplotlib."""
 import colorsys
-import csv
+import io
 import json
 import os
-import sys
 from collections import defaultdict
 
-try:
-    import matplotlib
+import matplotlib
 
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    import numpy as np
-    from matplotlib.collections import LineCollection, PolyCollection
-except ImportError:
-    sys.exit(3)
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from tables import read_csv
 
 plt.rcParams.update({"font.size": 10, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
                      "axes.spines.right": False, "legend.frameon": False})
@@ -36,18 +29,16 @@ def split_name(method):
     return (method[:-5] if automatic else method), automatic
 
 
-def rows(folder, name):
-    with open(os.path.join(folder, name), newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def save(figure, folder, name, dpi=110):
-    figure.savefig(os.path.join(folder, name), dpi=dpi, bbox_inches="tight", facecolor="white")
+def save(plots, name, figure, dpi=110):
+    """Adds the figure to `plots` as the bytes of a PNG file."""
+    file = io.BytesIO()
+    figure.savefig(file, format="png", dpi=dpi, bbox_inches="tight", facecolor="white")
     plt.close(figure)
+    plots[name] = file.getvalue()
 
 
-def plot_accuracy(folder):
-    data = rows(folder, "methods.csv")
+def plot_accuracy(folder, plots):
+    data = read_csv(folder, "methods.csv")
     figure, axes = plt.subplots(1, 2, figsize=(12, 4.8))
     for axis, column, label in ((axes[0], "mean", "mean error (less is better)"), (axes[1], "corr", "corr (more is better)")):
         for row in data:
@@ -63,12 +54,12 @@ def plot_accuracy(folder):
     axes[1].set_ylim(0, 1.03)
     axes[1].legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
     figure.tight_layout()
-    save(figure, folder, "accuracy.png")
+    save(plots, "accuracy", figure)
 
 
-def plot_error_curves(folder):
+def plot_error_curves(folder, plots):
     curves = defaultdict(list)
-    for row in rows(folder, "error_curves.csv"):
+    for row in read_csv(folder, "error_curves.csv"):
         curves[row["method"]].append((float(row["error"]), float(row["share"])))
     figure, axis = plt.subplots(figsize=(9.5, 4.8))
     for method, points in curves.items():
@@ -83,7 +74,7 @@ def plot_error_curves(folder):
     axis.set_xlabel("error, over sqrt(area)")
     axis.set_ylabel("share of vertices at or below")
     axis.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
-    save(figure, folder, "error_curves.png")
+    save(plots, "error_curves", figure)
 
 
 def quartiles(series):
@@ -93,10 +84,10 @@ def quartiles(series):
     return np.percentile(table, [25, 50, 75], axis=0)
 
 
-def plot_generations(folder):
+def plot_generations(folder, plots):
     fitness, diversity, joint = defaultdict(list), defaultdict(list), defaultdict(list)
     runs = defaultdict(list)
-    for row in rows(folder, "generations.csv"):
+    for row in read_csv(folder, "generations.csv"):
         runs[row["mesh"], row["search"], row["regions"], row["z"], row["seed"]].append(row)
     for (_, search, regions, z, _), log in runs.items():
         best = np.array([float(r["best"]) for r in log])
@@ -108,8 +99,8 @@ def plot_generations(folder):
             joint[search].append((best / best[-1], spread))
     zs = sorted({key[1] for key in fitness})
     shades = {5: "#1f77b4", 8: "#d62728"}
-    for data, name, label in ((fitness, "generations.png", "best fitness / optimum"),
-                              (diversity, "diversity.png", "share of distinct individuals")):
+    for data, name, label in ((fitness, "generations", "best fitness / optimum"),
+                              (diversity, "diversity", "share of distinct individuals")):
         if not data:
             continue
         figure, axes = plt.subplots(2, len(zs), figsize=(12, 6.4), sharex=True, sharey="row", squeeze=False)
@@ -124,7 +115,7 @@ def plot_generations(folder):
                     axis.fill_between(range(len(middle)), low, high, color=color, alpha=0.18, linewidth=0)
                     axis.plot(middle, color=color, label=f"{regions} regions")
                 axis.set_title(f"{search} error, z = {z:g}", fontsize=10)
-                if name == "generations.png":
+                if name == "generations":
                     axis.set_yscale("log")
                     axis.axhline(1, color="#444444", linewidth=1, linestyle=":")
                 if i == 1:
@@ -134,7 +125,7 @@ def plot_generations(folder):
         axes[0][-1].legend(loc="upper right")
         figure.suptitle("Lines: medians over meshes and seeds; bands: quartiles", fontsize=10, color="#555555")
         figure.tight_layout()
-        save(figure, folder, name)
+        save(plots, name, figure)
     if joint:
         figure, axes = plt.subplots(1, 2, figsize=(12, 3.8))
         for search, series in sorted(joint.items()):
@@ -148,7 +139,7 @@ def plot_generations(folder):
         axes[1].set_ylabel("share of distinct maps")
         axes[1].legend()
         figure.tight_layout()
-        save(figure, folder, "joint.png")
+        save(plots, "joint", figure)
 
 
 class View:
@@ -222,7 +213,7 @@ def error_colors(errors):
     return plt.get_cmap("Reds")(np.clip(np.array(errors) / 0.25, 0, 1) * 0.95)[:, :3]
 
 
-def plot_meshes(folder):
+def plot_meshes(folder, plots):
     with open(os.path.join(folder, "pictures.json")) as file:
         pictures = json.load(file)
     if not pictures:
@@ -236,7 +227,7 @@ def plot_meshes(folder):
         palette = np.vstack([distinct(patch.max() + 1), [0.6, 0.6, 0.6]])
         view.draw(axis, palette[patch])
         axis.set_title(picture["mesh"])
-    save(figure, folder, "patches.png")
+    save(plots, "patches", figure)
 
     figure, axes = plt.subplots(1, shown, figsize=(4 * shown, 4.4), squeeze=False)
     for axis, picture, view in zip(axes[0], pictures, views):
@@ -247,7 +238,7 @@ def plot_meshes(folder):
         axis.add_collection(LineCollection(ends, colors=palette, linewidths=1.1))
         axis.scatter(ends[:, :, 0].ravel(), ends[:, :, 1].ravel(), s=12, c=np.repeat(palette, 2, axis=0), zorder=3)
         axis.set_title(picture["mesh"])
-    save(figure, folder, "pairs.png")
+    save(plots, "pairs", figure)
 
     for number, (picture, view) in enumerate(zip(pictures, views)):
         maps = picture["maps"]
@@ -272,16 +263,14 @@ def plot_meshes(folder):
             top.set_title(entry["method"], fontsize=10)
             view.draw(bottom, error_colors(entry["error"]))
         figure.subplots_adjust(wspace=0.02, hspace=0.1)
-        save(figure, folder, f"map_{number}.png", dpi=100)
+        save(plots, f"map_{number}", figure, dpi=100)
 
 
-def main():
-    folder = sys.argv[1]
-    plot_accuracy(folder)
-    plot_error_curves(folder)
-    plot_generations(folder)
-    plot_meshes(folder)
-
-
-if __name__ == "__main__":
-    main()
+def draw(folder):
+    """All plots of the comparison in a folder: name -> bytes of a PNG file."""
+    plots = {}
+    plot_accuracy(folder, plots)
+    plot_error_curves(folder, plots)
+    plot_generations(folder, plots)
+    plot_meshes(folder, plots)
+    return plots

@@ -10,7 +10,7 @@
 #include "ga_symmetry/errors.h"
 #include "util/text_scan.h"
 
-namespace ga_symmetry::bench {
+namespace ga_symmetry::comparison {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ KnownSymmetry read_known_symmetry(const std::string& mesh_path, const std::strin
   return out;
 }
 
-}  // namespace ga_symmetry::bench
+}  // namespace ga_symmetry::comparison
