@@ -112,8 +112,8 @@ void run_methods(const Plan& plan, const Subject& subject, bool pictured, Steps&
   }
   const Surface surface = make_surface(subject.mesh, true);
   const GeodesicSolver solver(surface);
-  const std::vector<int> patch = sample_patches(
-      evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), plan.threads, steps.inner()));
+  const std::vector<int> patch = nearest_source(
+      evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), plan.threads, steps.inner()).field);
   picture.patch.assign(subject.mesh.vertices(), -1);
   for (int v = 0; v < surface.vertices(); ++v) picture.patch[surface.mesh_vertex[v]] = patch[v];
   Options options;  // figure 3, and left and right, are what a user gets
