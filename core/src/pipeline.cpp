@@ -106,7 +106,7 @@ struct Measured {
       : surface(surface),
         solver(surface),
         shortcuts(surface, solver, options.threads, context.part(0, 0.2, "distances")),
-        sites(make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads,
+        sites(make_sites(surface, solver, {options.joint.samples, options.joint.sites, kNeighbors}, options.threads,
                          shortcuts, context.part(surface.closed ? 0 : 0.2, 1, "distances"))),
         diffusion(surface),
         curvature(curvature_features(surface, diffusion)) {}
@@ -141,7 +141,7 @@ Survey survey_symmetries(const Measured& measured, const SurfaceReferences& refe
   const Anchors anchors = make_anchors(references, options.symmetry, measured.solver, options.threads);
   const JointProblem problem(sites, measured.surface, options.symmetry, anchors, options.joint);
   Random random(options.seed);
-  JointResult search = search_joint(problem, options.joint, random, options.threads, context.part(0, 0.7));
+  JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7));
   clock.stage_done("search");
 
   context.report(0.7, "refinement");

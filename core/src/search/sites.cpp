@@ -13,7 +13,8 @@ namespace ga_symmetry {
 namespace {
 
 // Averages over geodesic discs around each site: how large they are, and how curved.
-Table disc_descriptors(const Surface& s, const DistanceFields& field, int threads, std::vector<float>& centricity) {
+Table disc_descriptors(const Surface& s, const DistanceFields& field, int threads,
+                       std::vector<float>& average_distance) {
   constexpr double kDiscs[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0};  // radii / unit
   constexpr double kCurvature[] = {0.12, 0.25, 0.5};
   constexpr int kFeatures = 1 + 8 + 2 * 3;
@@ -21,7 +22,7 @@ Table disc_descriptors(const Surface& s, const DistanceFields& field, int thread
   const std::vector<double> curvature = integrated_mean_curvature(s);
   const double unit = s.unit();
   Table out(count, kFeatures);
-  centricity.resize(count);
+  average_distance.resize(count);
   parallel_for(count, threads, [&](int i, int) {
     double mean = 0, disc[8] = {}, weight[3] = {}, bent[3] = {}, rough[3] = {};
     for (int v = 0; v < n; ++v) {
@@ -37,9 +38,9 @@ Table disc_descriptors(const Surface& s, const DistanceFields& field, int thread
         rough[k] += w * std::abs(curvature[v]);
       }
     }
-    centricity[i] = static_cast<float>(mean / s.area);
+    average_distance[i] = static_cast<float>(mean / s.area);
     int f = 0;
-    out(i, f++) = centricity[i];
+    out(i, f++) = average_distance[i];
     for (double x : disc) out(i, f++) = static_cast<float>(std::sqrt(x / s.area));
     for (int k = 0; k < 3; ++k) {
       const double scale = weight[k] > 0 ? unit * kCurvature[k] / weight[k] : 0;
@@ -68,24 +69,33 @@ std::vector<int> nearest_samples(const Sites& sites, int sample, int count) {
   return order;
 }
 
+// What follows from the distances.
 void relate(Sites& s, int neighbors) {
   s.nearest_sample.resize(s.count());
   for (int k = 0; k < s.count(); ++k) s.distance.row(k).head(s.samples).minCoeff(&s.nearest_sample[k]);
   for (int i = 0; i < s.samples; ++i) s.neighbors.push_back(nearest_samples(s, i, neighbors));
+  s.near.resize(s.count());
+  for (int k = 0; k < s.count(); ++k) {
+    const auto distance = s.distance.row(k);
+    for (int j = 0; j < s.count(); ++j)
+      if (distance[j] <= kNearRadius) s.near[k].push_back(j);
+    std::stable_sort(s.near[k].begin(), s.near[k].end(), [&](int a, int b) { return distance[a] < distance[b]; });
+  }
 }
 
 std::vector<int> extremal_samples(const Sites& sites) {
   const auto is_extremum = [&](int i, float sign) {
     return std::all_of(sites.neighbors[i].begin(), sites.neighbors[i].end(),
-                       [&](int j) { return sign * sites.centricity[i] >= sign * sites.centricity[j]; });
+                       [&](int j) { return sign * sites.average_distance[i] >= sign * sites.average_distance[j]; });
   };
   std::vector<int> tips;
   int center = 0;
   for (int i = 0; i < sites.samples; ++i) {
     if (is_extremum(i, 1)) tips.push_back(i);
-    if (sites.centricity[i] < sites.centricity[center]) center = i;
+    if (sites.average_distance[i] < sites.average_distance[center]) center = i;
   }
-  std::stable_sort(tips.begin(), tips.end(), [&](int a, int b) { return sites.centricity[a] > sites.centricity[b]; });
+  std::stable_sort(tips.begin(), tips.end(),
+                   [&](int a, int b) { return sites.average_distance[a] > sites.average_distance[b]; });
   constexpr std::size_t kMaxTips = 14;  // more are noise of a rough surface; pairs of tips are what costs
   if (tips.size() > kMaxTips) tips.resize(kMaxTips);
   tips.push_back(center);
@@ -104,11 +114,11 @@ Table slacks(const Landmarks& spaced, const Shortcuts& shortcuts) {
 
 }  // namespace
 
-Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int samples, int sites, int neighbors,
-                 int threads, const Shortcuts& shortcuts, const Context& context) {
+Sites make_sites(const Surface& surface, const GeodesicSolver& solver, const SiteCounts& counts, int threads,
+                 const Shortcuts& shortcuts, const Context& context) {
   Sites s;
-  const int count = std::min(sites, surface.vertices());
-  s.samples = std::min(samples, count);
+  const int count = std::min(counts.sites, surface.vertices());
+  s.samples = std::min(counts.samples, count);
   Landmarks spaced = evenly_spaced_samples(surface, solver, count, threads, context);
   const float unit = static_cast<float>(surface.unit());
   s.distance = symmetric_distances(spaced) / unit;
@@ -119,9 +129,9 @@ Sites make_sites(const Surface& surface, const GeodesicSolver& solver, int sampl
   s.vertex = std::move(spaced.vertex);
   s.field = std::move(spaced.field);
   std::tie(s.cosine, s.sine) = directions(surface, s.vertex, s.field, threads);
-  s.descriptor = disc_descriptors(surface, s.field, threads, s.centricity);
+  s.descriptor = disc_descriptors(surface, s.field, threads, s.average_distance);
   s.nearest = nearest_source(s.field);
-  relate(s, neighbors);
+  relate(s, counts.neighbors);
   s.extremal = extremal_samples(s);
   return s;
 }
