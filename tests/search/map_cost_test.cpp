@@ -99,5 +99,42 @@ TEST(DistanceError, ByHand) {
   EXPECT_NEAR(distance_error(a, b, nullptr, nullptr, heavy, 3), 2 * 0.01 + 0.25, 1e-6) << "capped";
 }
 
+// Gene by gene and site by site, the difference is that of the whole map's cost.
+TEST(GeneCost, DiffersAsTheWholeMapsCostDoes) {
+  Random random(1);
+  for (SymmetryKind kind : {SymmetryKind::reflection, SymmetryKind::rotation})
+    for (int term = 0; term < 5; ++term) {
+      SCOPED_TRACE(term);
+      JointOptions o;
+      o.distance_weight = term == 0, o.orientation_weight = term == 1, o.continuity_weight = term == 2;
+      o.bijectivity_weight = term == 3, o.descriptor_weight = term == 4;
+      const MapCost cost = scene().cost(o, kind);
+      SampleMap map = scene().random_map(random);
+      GeneCost gene(cost, map);
+      for (int round = 0; round < 60; ++round) {
+        gene.look_at(static_cast<int>(draw_below(random, map.size())));
+        const double whole = cost.cost(map), part = gene.cost(gene.site());
+        const int site = static_cast<int>(draw_below(random, scene().sites.count()));
+        const double change = (gene.cost(site) - part) / static_cast<double>(map.size());
+        if (round % 3 == 0) gene.set(site);
+        SampleMap other = map;
+        other[gene.gene()] = site;
+        EXPECT_NEAR(cost.cost(other) - whole, change, 1e-6);
+      }
+    }
+}
+
+TEST(GeneCost, IsAtLeastTheLimitWhereItStops) {
+  const MapCost cost = scene().cost();
+  SampleMap map = scene().random_map(1);
+  GeneCost gene(cost, map);
+  gene.look_at(5);
+  for (int k = 0; k < scene().sites.count(); ++k) {
+    const float exact = gene.cost(k);
+    EXPECT_EQ(gene.cost(k, exact * 2), exact);
+    EXPECT_GE(gene.cost(k, exact / 2), exact / 2);
+  }
+}
+
 }  // namespace
 }  // namespace ga_symmetry

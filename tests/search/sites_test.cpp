@@ -34,6 +34,9 @@ TEST(Sites, TablesAreConsistent) {
   EXPECT_TRUE(s.distance == s.distance.transpose());
   for (int i = 0; i < s.samples; ++i) {
     EXPECT_EQ(s.nearest_sample[i], i);
+    for (int j = 0; j < s.samples; ++j)
+      EXPECT_EQ(std::count(s.neighbors[i].begin(), s.neighbors[i].end(), j),
+                std::count(s.observers[j].begin(), s.observers[j].end(), i));
     for (std::size_t k = 1; k < s.neighbors[i].size(); ++k)
       EXPECT_LE(s.distance(i, s.neighbors[i][k - 1]), s.distance(i, s.neighbors[i][k]));
   }

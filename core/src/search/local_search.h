@@ -10,7 +10,7 @@ namespace ga_symmetry {
 /// Radius of `coordinate_descent` that means all samples' own sites.
 constexpr float kEverywhere = std::numeric_limits<float>::infinity();
 
-/// Every gene in turn takes the site of the lowest cost given all others.
+/// Every gene in turn takes the site of the lowest cost given all others: the map's cost never rises.
 /// @param radius  look among the sites within this distance of the present partner, [0, kNearRadius]; or kEverywhere
 /// @param sweeps  over all genes, at most, >= 1; from the second on only where a gene or one near it has changed
 /// @return genes changed

@@ -14,6 +14,22 @@ constexpr double kTrivial = 0.1;   // a map that moves a smaller share is the id
 
 float squared(float x) { return x * x; }
 
+// Of a sample's neighbour whose partner is `distance` away from the sample's own partner.
+float stretch_error(const Vicinity::Image& n, float distance) {
+  return std::min(1.f, squared((distance - n.distance) * n.inverse));
+}
+
+// With directions as complex numbers, a reflection makes image * original, a rotation image / original, the same for
+// all neighbours; the length of their mean says how well that holds.
+void add_turn(const Vicinity::Image& n, const MapCost::Direction& image, float& re, float& im) {
+  re += image.cosine * n.cosine - image.sine * n.sine;
+  im += image.cosine * n.sine + image.sine * n.cosine;
+}
+
+// @param between  the partner's partner and the sample @param off  the partner and the sample nearest to it, whose
+// partner stands for the partner's: it may be as far off
+float return_error(float between, float off) { return std::min(1.f, squared(std::max(0.f, between - off)) / kReturn2); }
+
 }  // namespace
 
 float distance_error(const float* a, const float* b, const float* slack_a, const float* slack_b, const float* weight,
@@ -59,6 +75,7 @@ Table make_unary_costs(const Sites& sites, double unit, const Anchors& anchors, 
 MapCost::MapCost(const Sites& sites, SymmetryKind kind, Table unary, const CostWeights& weights)
     : sites_(sites), kind_(kind), weights_(weights), unary_(std::move(unary)) {
   distance_weight_ = (sites.distance.topLeftCorner(sites.samples, sites.samples).array().square() + kNear2).inverse();
+  distance_weight_.diagonal().setZero();  // no distance: a gene's old partner must not hold its new one back
   index_directions();
 }
 
@@ -94,30 +111,21 @@ void MapCost::look_around(const SampleMap& map, int i, Vicinity& out) const {
 }
 
 float MapCost::orientation_error(const Vicinity& around, int k) const {
-  // With directions as complex numbers, a reflection makes image * original, a rotation image / original, the same for
-  // all neighbours; the length of their mean says how well that holds.
-  const Direction* row = &direction_[static_cast<std::size_t>(k) * sites_.count()];
   float re = 0, im = 0;
-  for (const Vicinity::Image& n : around.near) {
-    const Direction image = row[n.site];
-    re += image.cosine * n.cosine - image.sine * n.sine;
-    im += image.cosine * n.sine + image.sine * n.cosine;
-  }
+  for (const Vicinity::Image& n : around.near) add_turn(n, direction(k, n.site), re, im);
   return around.near.empty() ? 0 : 1 - std::sqrt(re * re + im * im) * around.inverse_weight;
 }
 
 float MapCost::continuity_error(const Vicinity& around, int k) const {
   const float* row = sites_.distance.row(k).data();
   float sum = 0;
-  for (const Vicinity::Image& n : around.near) sum += std::min(1.f, squared((row[n.site] - n.distance) * n.inverse));
+  for (const Vicinity::Image& n : around.near) sum += stretch_error(n, row[n.site]);
   return sum * around.inverse_count;
 }
 
 float MapCost::bijectivity_error(const SampleMap& map, int i, int k) const {
   const int back = sites_.nearest_sample[k];
-  // The sample stands a little off the site; so may its partner.
-  const float off = std::max(0.f, sites_.distance(map[back], i) - sites_.distance(back, k));
-  return std::min(1.f, off * off / kReturn2);
+  return return_error(sites_.distance(back == i ? k : map[back], i), sites_.distance(back, k));
 }
 
 CostTerms MapCost::terms(const SampleMap& map) const {
@@ -175,16 +183,34 @@ GeneCost::GeneCost(const MapCost& cost, SampleMap& map)
   };
   gather(sites_.distance, image_);
   gather(sites_.slack, slack_);
-  const CostWeights& w = cost.weights();  // a pair of samples counts twice in the cost: once for each
-  distance_weight_ = static_cast<float>(2 * w.distance) / static_cast<float>(n);
-  orientation_weight_ = static_cast<float>(2 * w.orientation);
-  continuity_weight_ = static_cast<float>(2 * w.continuity);
-  bijectivity_weight_ = static_cast<float>(2 * w.bijectivity);
+  const CostWeights& w = cost.weights();
+  distance_weight_ = static_cast<float>(2 * w.distance) / static_cast<float>(n);  // a pair of samples counts for both
+  orientation_weight_ = static_cast<float>(w.orientation);
+  continuity_weight_ = static_cast<float>(w.continuity);
+  bijectivity_weight_ = static_cast<float>(w.bijectivity);
 }
 
 void GeneCost::look_at(int gene) {
   gene_ = gene;
   cost_.look_around(map_, gene, around_);
+  observers_.clear();
+  for (int j : sites_.observers[gene]) {
+    cost_.look_around(map_, j, around_observer_);
+    Observer out{map_[j], {}, 0, 0, around_observer_.inverse_weight, around_observer_.inverse_count};
+    // The map is whole, so that neighbours and what is seen of them are in the same order.
+    for (std::size_t k = 0; k < around_observer_.near.size(); ++k) {
+      const Vicinity::Image& n = around_observer_.near[k];
+      if (sites_.neighbors[j][k] == gene)
+        out.gene = n;
+      else
+        add_turn(n, cost_.direction(out.site, n.site), out.re, out.im);
+    }
+    observers_.push_back(out);
+  }
+  returns_.clear();
+  if (bijectivity_weight_ <= 0) return;
+  for (int j = 0; j < sites_.samples; ++j)
+    if (j != gene && sites_.nearest_sample[map_[j]] == gene) returns_.push_back({j, sites_.distance(gene, map_[j])});
 }
 
 float GeneCost::distance_error_to(int site, int first, int count) const {
@@ -194,6 +220,30 @@ float GeneCost::distance_error_to(int site, int first, int count) const {
                         : distance_error(from, &image_[at], &sites_.slack(gene_, first), &slack_[at], weight, count);
 }
 
+float GeneCost::orientation_error(int site) const {
+  float sum = cost_.orientation_error(around_, site);
+  for (const Observer& o : observers_) {
+    float re = o.re, im = o.im;
+    add_turn(o.gene, cost_.direction(o.site, site), re, im);
+    sum += 1 - std::sqrt(re * re + im * im) * o.inverse_weight;
+  }
+  return sum;
+}
+
+float GeneCost::continuity_error(int site) const {
+  const float* row = sites_.distance.row(site).data();
+  float sum = cost_.continuity_error(around_, site);
+  for (const Observer& o : observers_) sum += stretch_error(o.gene, row[o.site]) * o.inverse_count;
+  return sum;
+}
+
+float GeneCost::bijectivity_error(int site) const {
+  const float* row = sites_.distance.row(site).data();
+  float sum = cost_.bijectivity_error(map_, gene_, site);
+  for (const Return& r : returns_) sum += return_error(row[r.sample], r.off);
+  return sum;
+}
+
 float GeneCost::cost(int site, float limit) const {
   const int n = sites_.samples, half = n / 2;
   // Samples come from coarse to fine, so that the first half tells most of the wrong sites.
@@ -201,10 +251,10 @@ float GeneCost::cost(int site, float limit) const {
   if (total >= limit) return total;
   total += distance_weight_ * distance_error_to(site, half, n - half);
   if (total >= limit) return total;
-  if (orientation_weight_ > 0) total += orientation_weight_ * cost_.orientation_error(around_, site);
+  if (orientation_weight_ > 0) total += orientation_weight_ * orientation_error(site);
   if (total >= limit) return total;
-  total += continuity_weight_ * cost_.continuity_error(around_, site);
-  if (bijectivity_weight_ > 0) total += bijectivity_weight_ * cost_.bijectivity_error(map_, gene_, site);
+  if (continuity_weight_ > 0) total += continuity_weight_ * continuity_error(site);
+  if (bijectivity_weight_ > 0) total += bijectivity_weight_ * bijectivity_error(site);
   return total;
 }
 

@@ -71,8 +71,11 @@ class MapCost {
   const Sites& sites() const { return sites_; }
   SymmetryKind kind() const { return kind_; }
   const CostWeights& weights() const { return weights_; }
-  const Table& unary() const { return unary_; }                      ///< samples x sites
-  const Table& distance_weight() const { return distance_weight_; }  ///< samples x samples: 1 / (d^2 + kNear2)
+  const Table& unary() const { return unary_; }  ///< samples x sites
+  const Table& distance_weight() const {
+    return distance_weight_;
+  }  ///< samples x samples: 1 / (d^2 + kNear2), but 0
+     ///< from a sample to itself
 
   // The terms of one sample, if its partner is `site`.
   /// @param map  -1 where not known, but for bijectivity
@@ -81,10 +84,15 @@ class MapCost {
   float continuity_error(const Vicinity& around, int site) const;
   float bijectivity_error(const SampleMap& map, int sample, int site) const;
 
- private:
   struct Direction {
     float cosine, sine;
   };
+  /// From one site towards another.
+  const Direction& direction(int from, int to) const {
+    return direction_[static_cast<std::size_t>(from) * sites_.count() + to];
+  }
+
+ private:
   void index_directions();
 
   const Sites& sites_;
@@ -100,8 +108,9 @@ class MapCost {
 float distance_error(const float* a, const float* b, const float* slack_a, const float* slack_b, const float* weight,
                      int n);
 
-/// The part of a map's cost that depends on one gene, given all others; kept up to date as genes change. One per
-/// thread: the tables are that thread's.
+/// What a map costs as far as one gene decides it, given all others; kept up to date as genes change: for any two sites
+/// cost(k) - cost(l) is the difference of the whole map's cost with the one and with the other, times the number of
+/// samples, up to rounding of single precision. One at a time per thread: the tables are that thread's.
 class GeneCost {
  public:
   /// @param map  whole; changed by `set` alone as long as this lives
@@ -111,19 +120,36 @@ class GeneCost {
   void look_at(int gene);
   int gene() const { return gene_; }
   int site() const { return map_[gene_]; }
-  /// The cost at `site`, times the number of samples; anything >= `limit` once it is known to be that.
+  /// The cost at `site`; anything >= `limit` once it is known to be that.
   float cost(int site, float limit = std::numeric_limits<float>::infinity()) const;
   void set(int site);
 
  private:
+  // A sample that has the gene's among its neighbours: what of its terms the gene decides.
+  struct Observer {
+    int site;              // of its partner
+    Vicinity::Image gene;  // the gene's sample as it sees it; `site` is not used
+    float re, im;          // directions of its other neighbours, summed
+    float inverse_weight, inverse_count;
+  };
+  // A sample whose partner's nearest sample is the gene's: its way back leads over the gene.
+  struct Return {
+    int sample;
+    float off;  // how far its partner is from the gene's sample
+  };
   float distance_error_to(int site, int first, int count) const;
+  float orientation_error(int site) const;
+  float continuity_error(int site) const;
+  float bijectivity_error(int site) const;
 
   const MapCost& cost_;
   const Sites& sites_;
   SampleMap& map_;
   std::vector<float>&image_, &slack_;  // sites x samples: distance from a site to the partner of a sample
   int gene_ = 0;
-  Vicinity around_;
+  Vicinity around_, around_observer_;
+  std::vector<Observer> observers_;
+  std::vector<Return> returns_;
   float distance_weight_, orientation_weight_, continuity_weight_, bijectivity_weight_;
 };
 

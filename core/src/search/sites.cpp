@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "ga_symmetry/errors.h"
@@ -12,24 +13,27 @@
 namespace ga_symmetry {
 namespace {
 
-// Averages over geodesic discs around each site: how large they are, and how curved.
+// What tells sites apart: the average distance, and of geodesic discs around each how large they are and how curved.
 Table disc_descriptors(const Surface& s, const DistanceFields& field, int threads,
                        std::vector<float>& average_distance) {
-  constexpr double kDiscs[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0};  // radii / unit
+  // Radii in units, each about half as large again: from the spacing of samples to most of the surface. Curvature says
+  // more of near places, where the weight falls smoothly to 0 at the radius, so that no feature depends on one vertex.
+  constexpr double kDiscs[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0};
   constexpr double kCurvature[] = {0.12, 0.25, 0.5};
-  constexpr int kFeatures = 1 + 8 + 2 * 3;
+  constexpr int kSizes = std::size(kDiscs), kCurvatures = std::size(kCurvature);
+  constexpr int kFeatures = 1 + kSizes + 2 * kCurvatures;
   const int count = static_cast<int>(field.rows()), n = s.vertices();
   const std::vector<double> curvature = integrated_mean_curvature(s);
   const double unit = s.unit();
   Table out(count, kFeatures);
   average_distance.resize(count);
   parallel_for(count, threads, [&](int i, int) {
-    double mean = 0, disc[8] = {}, weight[3] = {}, bent[3] = {}, rough[3] = {};
+    double mean = 0, disc[kSizes] = {}, weight[kCurvatures] = {}, bent[kCurvatures] = {}, rough[kCurvatures] = {};
     for (int v = 0; v < n; ++v) {
       const double d = field(i, v) / unit, area = s.vertex_area[v];
       mean += d * area;
-      for (int k = 0; k < 8; ++k) disc[k] += d < kDiscs[k] ? area : 0;
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < kSizes; ++k) disc[k] += d < kDiscs[k] ? area : 0;
+      for (int k = 0; k < kCurvatures; ++k) {
         const double t = 1 - d / kCurvature[k];
         if (t <= 0) continue;
         const double w = t * t * (1 + 2 * d / kCurvature[k]);
@@ -42,7 +46,7 @@ Table disc_descriptors(const Surface& s, const DistanceFields& field, int thread
     int f = 0;
     out(i, f++) = average_distance[i];
     for (double x : disc) out(i, f++) = static_cast<float>(std::sqrt(x / s.area));
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < kCurvatures; ++k) {
       const double scale = weight[k] > 0 ? unit * kCurvature[k] / weight[k] : 0;
       out(i, f++) = static_cast<float>(bent[k] * scale);
       out(i, f++) = static_cast<float>(rough[k] * scale);
@@ -51,7 +55,7 @@ Table disc_descriptors(const Surface& s, const DistanceFields& field, int thread
   for (int k = 0; k < kFeatures; ++k) {
     auto column = out.col(k).array();
     column -= column.mean();
-    column /= std::max(1e-6f, std::sqrt(column.square().mean()));
+    column /= std::max(1e-6f, std::sqrt(column.square().mean()));  // a sphere's features are all the same
   }
   return out;
 }
@@ -74,6 +78,9 @@ void relate(Sites& s, int neighbors) {
   s.nearest_sample.resize(s.count());
   for (int k = 0; k < s.count(); ++k) s.distance.row(k).head(s.samples).minCoeff(&s.nearest_sample[k]);
   for (int i = 0; i < s.samples; ++i) s.neighbors.push_back(nearest_samples(s, i, neighbors));
+  s.observers.resize(s.samples);
+  for (int i = 0; i < s.samples; ++i)
+    for (int j : s.neighbors[i]) s.observers[j].push_back(i);
   s.near.resize(s.count());
   for (int k = 0; k < s.count(); ++k) {
     const auto distance = s.distance.row(k);

@@ -29,6 +29,7 @@ struct Sites {
   std::vector<int> nearest_sample;          ///< per site
   std::vector<int> nearest;                 ///< per vertex: its nearest site
   std::vector<std::vector<int>> neighbors;  ///< per sample: its nearest samples, nearest first
+  std::vector<std::vector<int>> observers;  ///< per sample: the samples that have it among their neighbors
   std::vector<std::vector<int>> near;       ///< per site: the sites within kNearRadius, itself first, nearest first
   std::vector<int> extremal;  ///< samples where the average distance has a local maximum (tips, farthest first), and
                               ///< its minimum
