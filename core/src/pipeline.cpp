@@ -217,7 +217,7 @@ SurfaceResult find_by_pairs(const Surface& surface, const SurfaceReferences& ref
                             const Context& context, StageClock& clock) {
   const std::array<int, 2> axis{references.axis[0], references.axis[1]};
   Random random(options.seed);
-  PairsResult pairs = search_pairs(surface, GeodesicSolver(surface), axis, references.pairs[0], options.pairs, random,
+  PairsResult pairs = search_pairs(surface, GeodesicSolver(surface), {axis, references.pairs[0]}, options.pairs, random,
                                    options.threads, context);
   clock.stage_done("search");
   SurfaceResult out;
