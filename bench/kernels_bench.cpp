@@ -45,7 +45,7 @@ struct Scene {
   Surface surface = sphere(24);
   GeodesicSolver solver{surface};
   JointOptions options;
-  Sites sites = make_sites(surface, solver, options.samples, options.sites, 8, 1);
+  Sites sites = make_sites(surface, solver, {options.samples, options.sites, 8}, 1);
   SampleMap itself = SampleMap(sites.samples);
   Scene() { std::iota(itself.begin(), itself.end(), 0); }
 };
@@ -57,7 +57,7 @@ const Scene& scene() {
 void joint_cost(benchmark::State& state) {
   const Scene& s = scene();
   const JointProblem problem(s.sites, s.surface, SymmetryKind::reflection, {}, s.options);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(problem.cost(s.itself));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(problem.cost().cost(s.itself));
 }
 BENCHMARK(joint_cost)->Unit(benchmark::kMicrosecond);
 
@@ -65,7 +65,7 @@ void joint_evaluation(benchmark::State& state) {
   const Scene& s = scene();
   const JointProblem problem(s.sites, s.surface, SymmetryKind::reflection, {}, s.options);
   for ([[maybe_unused]] auto _ : state) {
-    SampleMap map = problem.polar_map(0, 1, 0);
+    SampleMap map = polar_map(problem.cost(), {0, 1}, 0);
     benchmark::DoNotOptimize(problem.evaluate(map, 0));
   }
 }

@@ -106,7 +106,7 @@ struct Measured {
       : surface(surface),
         solver(surface),
         shortcuts(surface, solver, options.threads, context.part(0, 0.2, "distances")),
-        sites(make_sites(surface, solver, options.joint.samples, options.joint.sites, kNeighbors, options.threads,
+        sites(make_sites(surface, solver, {options.joint.samples, options.joint.sites, kNeighbors}, options.threads,
                          shortcuts, context.part(surface.closed ? 0 : 0.2, 1, "distances"))),
         diffusion(surface),
         curvature(curvature_features(surface, diffusion)) {}
@@ -141,7 +141,7 @@ Survey survey_symmetries(const Measured& measured, const SurfaceReferences& refe
   const Anchors anchors = make_anchors(references, options.symmetry, measured.solver, options.threads);
   const JointProblem problem(sites, measured.surface, options.symmetry, anchors, options.joint);
   Random random(options.seed);
-  JointResult search = search_joint(problem, options.joint, random, options.threads, context.part(0, 0.7));
+  JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7));
   clock.stage_done("search");
 
   context.report(0.7, "refinement");
@@ -217,7 +217,7 @@ SurfaceResult find_by_pairs(const Surface& surface, const SurfaceReferences& ref
                             const Context& context, StageClock& clock) {
   const std::array<int, 2> axis{references.axis[0], references.axis[1]};
   Random random(options.seed);
-  PairsResult pairs = search_pairs(surface, GeodesicSolver(surface), axis, references.pairs[0], options.pairs, random,
+  PairsResult pairs = search_pairs(surface, GeodesicSolver(surface), {axis, references.pairs[0]}, options.pairs, random,
                                    options.threads, context);
   clock.stage_done("search");
   SurfaceResult out;

@@ -10,6 +10,7 @@
 
 #include "ga_symmetry/errors.h"
 #include "search/joint.h"
+#include "search/local_search.h"
 #include "search/sites.h"
 #include "shapes.h"
 #include "symmetric_shapes.h"
@@ -129,8 +130,8 @@ TEST(Shortcuts, Cancel) {
 TEST(Shortcuts, SitesKnowTheirSlack) {
   const Surface s = make_surface(bowl(0.5));
   const GeodesicSolver solver(s);
-  const Sites plain = make_sites(s, solver, 20, 60, 6, 1),
-              loose = make_sites(s, solver, 20, 60, 6, 1, Shortcuts(s, solver, 1));
+  const Sites plain = make_sites(s, solver, {20, 60, 6}, 1),
+              loose = make_sites(s, solver, {20, 60, 6}, 1, Shortcuts(s, solver, 1));
   EXPECT_EQ(plain.slack.size(), 0);
   ASSERT_EQ(loose.slack.rows(), 60);
   EXPECT_EQ(loose.slack, loose.slack.transpose());
@@ -143,24 +144,24 @@ TEST(Shortcuts, SitesKnowTheirSlack) {
 TEST(Shortcuts, DistancesCostOnlyWhatIsBeyondTheirSlack) {
   const Surface s = make_surface(bowl(0.5));
   const GeodesicSolver solver(s);
-  Sites sites = make_sites(s, solver, 20, 60, 6, 1, Shortcuts(s, solver, 1));
+  Sites sites = make_sites(s, solver, {20, 60, 6}, 1, Shortcuts(s, solver, 1));
   JointOptions only;
   only.orientation_weight = only.continuity_weight = only.descriptor_weight = only.bijectivity_weight = 0;
   Random random(3);
   SampleMap map(20);
   for (int& site : map) site = static_cast<int>(draw_below(random, 60));
   const auto cost = [&](const SampleMap& m) {
-    return JointProblem(sites, s, SymmetryKind::reflection, {}, only).cost(m);
+    return JointProblem(sites, s, SymmetryKind::reflection, {}, only).cost().cost(m);
   };
   const double known = cost(map);
-  // Best responses lower that same cost, gene by gene.
+  // Coordinate descent lowers that same cost, gene by gene.
   const JointProblem problem(sites, s, SymmetryKind::reflection, {}, only);
   SampleMap better = map;
-  problem.best_response(better, std::numeric_limits<float>::infinity());
-  EXPECT_LT(problem.cost(better), known);
+  coordinate_descent(problem.cost(), better, kEverywhere);
+  EXPECT_LT(cost(better), known);
   SampleMap again = better;
-  for (int round = 0; round < 20 && problem.best_response(again, std::numeric_limits<float>::infinity()); ++round)
-    EXPECT_LE(problem.cost(again), problem.cost(better) + 1e-6);
+  for (int round = 0; round < 20 && coordinate_descent(problem.cost(), again, kEverywhere); ++round)
+    EXPECT_LE(cost(again), cost(better) + 1e-6);
   sites.slack *= 2;
   EXPECT_LT(cost(map), known);
   sites.slack.setConstant(10);

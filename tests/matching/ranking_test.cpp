@@ -12,7 +12,7 @@ namespace {
 
 struct Scene {
   MatchingScene of;
-  Sites sites = make_sites(of.surface, of.solver, 100, 300, 8, 1);
+  Sites sites = make_sites(of.surface, of.solver, {100, 300, 8}, 1);
   Landmarks no_references;
 
   explicit Scene(shapes::Symmetric shape) : of(std::move(shape)) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <set>
@@ -65,12 +66,6 @@ TEST(Tournament, MoreRoundsSelectMoreStrictly) {
   EXPECT_NEAR(wins[1] / 4000.0, 1 - std::pow(0.75, 3), 0.05);  // unless it is never drawn
 }
 
-TEST(Elite, LowestFirstTiesByIndex) {
-  EXPECT_EQ(elite({3, 1, kInfinity, 1, 2}, 3), (std::vector<int>{1, 3, 4}));
-  EXPECT_EQ(elite({3, 1}, 5), (std::vector<int>{1, 0}));
-  EXPECT_TRUE(elite({3, 1}, 0).empty());
-}
-
 Population<int> of(const std::vector<int>& genomes) {
   Population<int> out;
   for (int g : genomes) out.push_back({g});
@@ -81,6 +76,11 @@ TEST(Diversity, ShareOfDistinctGenomes) {
   EXPECT_DOUBLE_EQ(diversity(of({4, 4, 4, 4})), 0.25);
   EXPECT_DOUBLE_EQ(diversity(of({1, 2, 1, 3})), 0.75);
   EXPECT_DOUBLE_EQ(diversity(of({7})), 1);
+}
+
+int fittest(const Population<int>& population) {
+  const std::vector<double> costs = costs_of(population);
+  return static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
 }
 
 // |genome - 1000| for even genomes; odd ones are impossible. Children are their parents, a little off.
@@ -95,12 +95,10 @@ struct FindNumber {
     if (memetic && genome > target) --genome;
     return genome % 2 ? kInfinity : std::abs(genome - target);
   }
-  double best(const Population<int>& population) const {
-    return costs_of(population)[elite(costs_of(population), 1)[0]];
-  }
+  double best(const Population<int>& population) const { return costs_of(population)[fittest(population)]; }
   Population<int> vary(const Population<int>& parents, const std::vector<double>& z, Random& random) const {
     EXPECT_EQ(z, z_scores(costs_of(parents)));
-    Population<int> children{parents[elite(costs_of(parents), 1)[0]]};
+    Population<int> children{parents[fittest(parents)]};
     while (children.size() < parents.size()) {
       const int parent = parents[tournament(costs_of(parents), 2, random)].genome;
       children.push_back({parent + static_cast<int>(draw_below(random, 2 * step + 1)) - step});

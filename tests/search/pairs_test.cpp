@@ -193,7 +193,7 @@ struct Scene {
   PairsResult search(const PairsOptions& options = {}, std::uint64_t seed = 1, int threads = 1,
                      const Context& context = {}) const {
     Random random(seed);
-    return search_pairs(surface, solver, axis, pair, options, random, threads, context);
+    return search_pairs(surface, solver, {axis, pair}, options, random, threads, context);
   }
   DistanceFields fields() const { return solver.fields({axis[0], axis[1], pair[0], pair[1]}, 1); }
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -82,15 +81,6 @@ inline int tournament(const std::vector<double>& costs, int rounds, Random& rand
     if (std::make_pair(costs[other], other) < std::make_pair(costs[best], best)) best = other;
   }
   return best;
-}
-
-/// Indices of the `count` lowest costs, lowest first, ties by index; all of them if there are fewer.
-inline std::vector<int> elite(const std::vector<double>& costs, int count) {
-  std::vector<int> order(costs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return costs[a] < costs[b]; });
-  order.resize(std::min<std::size_t>(order.size(), std::max(0, count)));
-  return order;
 }
 
 /// Share of distinct genomes, (0,1].

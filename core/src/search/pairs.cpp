@@ -16,9 +16,9 @@
 namespace ga_symmetry {
 namespace {
 
-constexpr int kStallGenerations = 30;
-constexpr int kGrain = 1024;        // a fitness takes nanoseconds
-constexpr double kSplitCell = 0.2;  // of the surface's unit; hat functions of that width blur by about half of it
+constexpr int kStallGenerations = 30;  // a tenth of the default number of generations
+constexpr int kGrain = 1024;           // a fitness takes nanoseconds
+constexpr double kSplitCell = 0.2;     // of the surface's unit; hat functions of that width blur by about half of it
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The nearest of a growing set of samples, along the edges. A new sample visits only the vertices that it wins, so
@@ -318,14 +318,14 @@ GeneticRun<Pair> evolve_pairs(const PairSamples& samples, const PairsOptions& op
   return evolve(problem, std::move(initial), genetic, random, context, observe);
 }
 
-PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const std::array<int, 2>& axis,
-                         const std::array<int, 2>& pair, const PairsOptions& options, Random& random, int threads,
-                         const Context& context) {
+PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const PairReferences& references,
+                         const PairsOptions& options, Random& random, int threads, const Context& context) {
+  const auto& [axis, pair] = references;
   check_pairs_options(options);
-  const std::vector<int> references{axis[0], axis[1], pair[0], pair[1]};
-  check_references(surface, references);
+  const std::vector<int> sources{axis[0], axis[1], pair[0], pair[1]};
+  check_references(surface, sources);
   context.report(0, "geodesics");
-  DistanceFields fields = solver.fields(references, threads, context);
+  DistanceFields fields = solver.fields(sources, threads, context);
   const auto distances = [&](int v) { return AxisDistances{fields(0, v), fields(1, v)}; };
 
   PairsResult result;

@@ -1,4 +1,5 @@
-// The paper's search: a genetic algorithm over pairs of one left and one right sample.
+// A genetic algorithm over pairs of one left and one right sample, as in "Finding Intrinsic Points on 3D Models with
+// Using Genetic Algorithms", called the paper below.
 #pragma once
 #include <array>
 #include <vector>
@@ -87,6 +88,12 @@ GeneticRun<Pair> evolve_pairs(const PairSamples& samples, const PairsOptions& op
                               Random& random, int threads, const Context& context = {},
                               const std::function<void(const GenerationLog&)>& observe = {});
 
+/// Four different vertices of the surface.
+struct PairReferences {
+  std::array<int, 2> axis{};  ///< a0, a1: the reflection leaves them where they are
+  std::array<int, 2> pair{};  ///< l, r: it takes one to the other
+};
+
 struct PairsResult {
   std::vector<int> partner;          ///< per surface vertex: its partner; a vertex on the axis is its own
   std::vector<double> fitness;       ///< per surface vertex: fitness with its partner, 0 on the axis
@@ -103,8 +110,6 @@ struct PairsResult {
 void check_pairs_options(const PairsOptions& options);
 
 /// Pairs of samples by the paper's algorithm, then a partner for every vertex out of the pairs.
-/// @param axis  a0, a1 and
-/// @param pair  l, r: four different vertices of the surface
 /// @throws InvalidOption  if a reference is out of range or repeated, or an option out of its range
 /// @throws Cancelled
 ///
@@ -120,8 +125,7 @@ void check_pairs_options(const PairsOptions& options);
 ///  - Outlier removal: the extracted pairs whose Z-error is above the outlier threshold are left out.
 ///  - Local refinement: a vertex takes, by the same fitness, the best vertex of the patches at and next to the partners
 ///    of its nearest paired sample; left to right and right to left.
-PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const std::array<int, 2>& axis,
-                         const std::array<int, 2>& pair, const PairsOptions& options, Random& random, int threads,
-                         const Context& context = {});
+PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const PairReferences& references,
+                         const PairsOptions& options, Random& random, int threads, const Context& context = {});
 
 }  // namespace ga_symmetry
