@@ -11,14 +11,6 @@
 #include "util/text_scan.h"
 
 namespace ga_symmetry {
-
-std::string quoted(std::string_view word) {
-  std::string out(word.substr(0, 40));
-  for (char& c : out)
-    if (c < ' ' || c > '~') c = '?';
-  return "\"" + out + "\"";
-}
-
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) { throw FileError(why); }

@@ -17,7 +17,5 @@ namespace ga_symmetry {
 /// @throws Cancelled
 void check_off(std::string_view text, const Context& context);
 void check_ply(std::string_view text, const Context& context);
-/// A word of a file for a message: short, printable, in quotation marks.
-std::string quoted(std::string_view word);
 
 }  // namespace ga_symmetry

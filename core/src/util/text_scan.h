@@ -47,6 +47,17 @@ inline std::vector<std::string_view> split(std::string_view line, std::string_vi
   return words;
 }
 
+/// For a message, which is one line: the first 40 characters in quotes, blanks for white space, ? for what is not
+/// printable ASCII.
+inline std::string quoted(std::string_view text) {
+  std::string out(text.substr(0, 40));
+  for (char& c : out) {
+    if (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v') c = ' ';
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return '"' + out + '"';
+}
+
 /// Hands out one line after the other, without its \n.
 class LineReader {
  public:
