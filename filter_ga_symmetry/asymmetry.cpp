@@ -8,6 +8,7 @@
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/io.h"
 #include "layers.h"
+#include "option_parameters.h"
 
 namespace ga_symmetry {
 namespace {
@@ -26,8 +27,7 @@ RichParameterList parameters() {
                          "What is compared. Mean curvature: difference times sqrt(area), convex is more."));
   list.addParam(RichFloat("radius", static_cast<float>(defaults.radius), "Radius",
                           "Of the discs compared, over sqrt(area), up to 1. The time grows with its square."));
-  add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
-                        "0 to 256; 0 = all cores. Changes the time, never the result.");
+  add_option(list, option_info("threads"));
   return list;
 }
 

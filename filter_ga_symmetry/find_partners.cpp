@@ -3,7 +3,7 @@
 #include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "layers.h"
-#include "option_text.h"
+#include "option_parameters.h"
 
 namespace ga_symmetry {
 namespace {
@@ -20,33 +20,18 @@ constexpr const char* info =
     "Colour: blue is a perfect match, red a poor one.";
 
 RichParameterList parameters() {
-  const Options defaults;
   RichParameterList list;
-  list.addParam(RichString("references", "", "References",
-                           "a0,a1,l,r: axis points and a left-right pair. Or 3,8,12:57,90:4. Empty = selection."));
+  const auto add = [&](OptionLevel level) {
+    for (const OptionInfo& info : option_table())
+      if (info.level == level && info.kind != OptionKind::references) add_option(list, info);
+  };
+  add_option(list, option_info("references"), " Empty = selection.");
   list.addParam(RichBool("automatic", false, "Without references: search for the symmetry",
                          "If nothing is selected, find the symmetry from the shape alone."));
-  list.addParam(RichEnum("symmetry", static_cast<int>(defaults.symmetry), {"Reflection", "Rotation"}, "Symmetry",
-                         "Reflection swaps left and right; Rotation takes every vertex to the next one around."));
+  add(OptionLevel::basic);
   list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
                              "Also write the partners: .csv, .json (everything) or .ply (coloured mesh)."));
-  list.addParam(RichBool("largest_component", defaults.largest_component, "Only the largest component",
-                         "Instead of refusing a mesh of several components."));
-  list.addParam(RichEnum("method", static_cast<int>(defaults.method), {"Joint", "Pairs"}, "Method",
-                         "Joint: all partners at once, accurate. Pairs: the original, one by one."));
-
-  add_advanced<RichInt>(list, "seed", static_cast<int>(defaults.seed), "Seed",
-                        "At least 0. The same seed and mesh give the same result.");
-  add_advanced<RichInt>(list, "threads", defaults.threads, "Threads",
-                        "0 to 256; 0 = all cores. Changes the time, never the result.");
-  add_advanced<RichInt>(list, "proxy", defaults.proxy, "Simplify to",
-                        "Vertices. Meshes of over 1.3 times as many are searched simplified; 0 = never.");
-  add_advanced<RichInt>(list, "rank", defaults.rank, "Symmetry by rank",
-                        "1 = the best that is found, 2 = the next best, ... up to 30.");
-  add_advanced<RichFloat>(list, "max_fitness", defaults.max_fitness, "Largest fitness",
-                          "Vertices above get no partner (-1): try 0.08. 0 = keep all.");
-  add_advanced<RichInt>(list, "joint_samples", defaults.joint.samples, "Samples",
-                        "Joint: evenly spaced, what the search works on; 20 to 1000.");
+  add(OptionLevel::advanced);
   add_advanced<RichString>(list, "advanced", "", "Advanced options",
                            "Such as joint_sites=400, fitness=linear; ? lists all keys.");
   return list;
@@ -54,25 +39,15 @@ RichParameterList parameters() {
 
 Options to_options(const RichParameterList& list) {
   Options options;
-  options.symmetry = static_cast<SymmetryKind>(list.getEnum("symmetry"));
-  options.method = static_cast<Method>(list.getEnum("method"));
-  options.largest_component = list.getBool("largest_component");
-  const int seed = list.getInt("seed");
-  if (seed < 0) throw InvalidOption("seed must be at least 0, got " + std::to_string(seed));
-  options.seed = static_cast<std::uint64_t>(seed);
-  options.threads = list.getInt("threads");
-  options.proxy = list.getInt("proxy");
-  options.rank = list.getInt("rank");
-  options.max_fitness = decimal(list.getFloat("max_fitness"));
-  options.joint.samples = list.getInt("joint_samples");
-  set_options(list.getString("advanced").toStdString(), options);
+  for (const OptionInfo& info : option_table())
+    if (info.level != OptionLevel::expert) read_option(list, info, options);
+  set_expert_options(options, list.getString("advanced").toStdString());
   return options;
 }
 
-// The text rules; without it four selected vertices do; without those, and if allowed, there are none.
-References choose_references(const std::string& text, bool automatic, const CMeshO& m, const TriangleMesh& mesh,
+// Without references in the text four selected vertices do; without those, and if allowed, there are none.
+References choose_references(const References& given, bool automatic, const CMeshO& m, const TriangleMesh& mesh,
                              const Options& options, const Context& context) {
-  References given = parse_references(text);
   if (!given.empty()) return given;
   std::vector<int> selected;
   int index = 0;
@@ -121,9 +96,8 @@ FilterOutputs apply(const FilterRun& run) {
   const TriangleMesh mesh = mesh_of(m);
   constexpr double kSelectionRead = 0.1;  // progress
   const Context context = context_of(run);
-  options.references =
-      choose_references(run.parameters.getString("references").toStdString(), run.parameters.getBool("automatic"), m,
-                        mesh, options, context.part(0, kSelectionRead));
+  options.references = choose_references(options.references, run.parameters.getBool("automatic"), m, mesh, options,
+                                         context.part(0, kSelectionRead));
 
   const Result result = find_symmetry(mesh, options, context.part(kSelectionRead, 1));
   if (!path.empty()) write_result(path, mesh, result);

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "filters.h"
-#include "option_text.h"
+#include "ga_symmetry/option_table.h"
 
 namespace {
 
@@ -94,12 +94,19 @@ QString reference() {
   out +=
       "\n## Advanced options of Find Partners\n\n"
       "The text of `advanced`: items `key=value`, separated by commas or blanks, such as `joint_sites=400,\n"
-      "fitness=linear`. The command line has them as options of nearly the same names.\n\n"
-      "| key | default | meaning |\n| --- | --- | --- |\n";
-  for (const ga_symmetry::OptionKey& key : ga_symmetry::option_keys())
-    out += QString("| `%1` | `%2` | %3 |\n")
-               .arg(QString::fromStdString(key.name), QString::fromStdString(key.value),
-                    QString::fromStdString(key.meaning));
+      "fitness=linear`. The command line has them as `--joint-sites 400 --fitness linear`; what is on by default, as\n"
+      "`--no-noise-filter`. What does nothing with the chosen method is told in a warning; the command line refuses "
+      "it.\n\n"
+      "| key | method | default | range | meaning |\n| --- | --- | --- | --- | --- |\n";
+  for (const ga_symmetry::OptionInfo& info : ga_symmetry::option_table()) {
+    if (info.level != ga_symmetry::OptionLevel::expert) continue;
+    std::string range = info.range;
+    for (const std::string& choice : info.choices) range += (range.empty() ? "" : ", ") + choice;
+    const char* method = !info.method ? "both" : *info.method == ga_symmetry::Method::joint ? "joint" : "pairs";
+    out += QString("| `%1` | %2 | `%3` | %4 | %5 |\n")
+               .arg(QString::fromStdString(info.name), method, QString::fromStdString(info.default_value),
+                    QString::fromStdString(range), QString::fromStdString(info.help));
+  }
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "filters.h"
 #include "ga_symmetry/errors.h"
 #include "layers.h"
+#include "option_parameters.h"
 
 namespace ga_symmetry {
 namespace {
@@ -17,9 +18,8 @@ constexpr const char* info =
 RichParameterList parameters() {
   RichParameterList list;
   list.addParam(RichInt("samples", 100, "Samples", "At least 1. The first k are the same whatever the number."));
-  list.addParam(RichBool("largest_component", false, "Only the largest component",
-                         "Instead of refusing a mesh of several components."));
-  add_advanced<RichInt>(list, "threads", 0, "Threads", "0 to 256; 0 = all cores. Changes the time, never the result.");
+  add_option(list, option_info("largest_component"));
+  add_option(list, option_info("threads"));
   return list;
 }
 

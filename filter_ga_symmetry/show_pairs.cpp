@@ -9,6 +9,7 @@
 #include "ga_symmetry/errors.h"
 #include "ga_symmetry/io.h"
 #include "layers.h"
+#include "option_parameters.h"
 
 namespace ga_symmetry {
 namespace {
@@ -26,7 +27,7 @@ RichParameterList parameters() {
   list.addParam(RichBool("axis", true, "Axis", "The line where left meets right. A rotation has none."));
   list.addParam(RichFloat("lift", 0.003f, "Lift of the axis",
                           "How far the axis stands off the surface, over sqrt(area), to be seen whole; 0 = on it."));
-  add_advanced<RichInt>(list, "threads", 0, "Threads", "0 to 256; 0 = all cores. Changes the time, never the result.");
+  add_option(list, option_info("threads"));
   return list;
 }
 

@@ -1,18 +1,21 @@
-// Advanced options as the user types them: refused in one line, or set.
-#include "option_text.h"
-
+// Advanced options as the user types them: refused in one line, or set to what may be.
 #include <cstdlib>
 
 #include "fuzz.h"
+#include "ga_symmetry/option_table.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ga_symmetry;
   const std::string text = fuzz::Bytes(data, size).rest();
   fuzz::expect_result_or_line([&] {
     Options options;
-    set_options(text, options);
-    if (options.pairs.error != PairError::squared && options.pairs.error != PairError::linear) std::abort();
-    if (options.pairs.sampling != Sampling::evenly_spaced && options.pairs.sampling != Sampling::uniform) std::abort();
+    set_expert_options(options, text);
+    if (options.joint.sites < options.joint.samples) return;  // each is in its own range
+    try {
+      check_options(options);
+    } catch (const InvalidOption&) {
+      std::abort();
+    }
   });
   return 0;
 }

@@ -138,17 +138,6 @@ TEST_F(FindJointly, ARankBeyondWhatIsFoundIsNamed) {
   }
 }
 
-TEST_F(FindJointly, OptionsOutOfRangeAreNamed) {
-  Options o;
-  o.joint.mutation_probability = std::nan("");
-  try {
-    find_symmetry(shape_.mesh, o);
-    FAIL();
-  } catch (const InvalidOption& e) {
-    EXPECT_NE(std::string(e.what()).find("mutation probability must be in [0, 1]"), std::string::npos);
-  }
-}
-
 TEST(FindRotation, ThePinwheelTurnsByAThird) {
   const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/pinwheel_bend";
   const TriangleMesh mesh = read_mesh(base + ".off");

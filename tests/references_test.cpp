@@ -36,14 +36,25 @@ TEST(ParseReferences, AllForms) {
   expect("12:57,3,8,90:4,0", {3, 8, 0}, {{12, 57}, {90, 4}});
   expect(" 3 , 8,\t12 : 57 ", {3, 8}, {{12, 57}});
   expect("1:2,2:3,3:1", {}, {{1, 2}, {2, 3}, {3, 1}});  // a rotation
+  expect("3 8 12 57", {3, 8}, {{12, 57}});
+  expect("3 8\t12  57\n", {3, 8}, {{12, 57}});
+  expect("3, 8 ,12 57", {3, 8}, {{12, 57}});
+  expect("3 8 12:57\r\n90 :4", {3, 8}, {{12, 57}, {90, 4}});
   expect("2147483647", {2147483647}, {});
 }
 
 TEST(ParseReferences, RefusesEverythingElse) {
-  for (const char* text : {",",    "1,",  ",1",      "1,,2",    "a",     "1,2,x,4",    "-1",      "1.5",
-                           "1 2",  "1:",  ":1",      "1:2:3",   "1;2",   "2147483648", "1,2,3",   "1,2,3,4,5",
-                           "0x10", "1,1", "1,2,3,3", "1,2,1,3", "3,3:4", "4:4",        "1:2,1:3", "1:3,2:3"})
+  for (const char* text :
+       {",",         "1,",    ",1",   "1,,2",    "a",       "1,2,x,4", "-1",    "1.5",     ", 2",        "1 2 ,",
+        "1 , , 2",   "1 2 3", "1 : ", "1 -2",    "1:",      ":1",      "1:2:3", "1;2",     "2147483648", "1,2,3",
+        "1,2,3,4,5", "0x10",  "1,1",  "1,2,3,3", "1,2,1,3", "3,3:4",   "4:4",   "1:2,1:3", "1:3,2:3"})
     EXPECT_THROW(parse_references(text), InvalidOption) << text;
+  try {
+    parse_references("1 2\n3 x\n");
+    ADD_FAILURE();
+  } catch (const InvalidOption& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
 }
 
 // A body's references and their roles, by construction.

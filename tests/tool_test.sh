@@ -66,7 +66,7 @@ expect 2 seek body.off
 expect 2 find
 expect 2 find body.off --no-such-option
 expect 2 find body.off --method slow
-says "joint|pairs"
+says "must be joint or pairs"
 expect 2 find body.off --fitness cubic
 expect 2 find body.off --symmetry glide
 expect 2 find body.off --seed -1
@@ -81,6 +81,25 @@ one_line
 expect 2 find body.off -o a.txt
 says "must end in .csv, .json or .ply"
 expect 2 find body.off --method pairs -o a.csv
+# What would do nothing is refused where it is given, be it the default.
+for option in "--rank 2" "--joint-samples 100" "--proxy off" --no-noise-filter; do
+  expect 2 find body.off --method pairs --refs "$refs" $option -o a.csv
+  says "${option% *}: does nothing with the method pairs"
+  one_line
+done
+expect 2 find body.off --fitness linear -o a.csv
+says "--fitness: does nothing with the method joint"
+expect 2 find body.off --joint-reference-weight 2 -o a.csv
+says "--joint-reference-weight: does nothing without references"
+for option in "--symmetry rotation" "--rank 2" "--method pairs"; do
+  expect 2 find body.off --list $option
+  says "${option% *}: does nothing when symmetries are listed"
+done
+expect 2 find body.off --list --redo
+expect 2 find body.off --rank 31
+says "--rank: must be a whole number, 1 to 30, got"
+expect 2 find body.off --joint-samples 400 -o a.csv
+says "joint_sites must be at least joint_samples"
 expect 2 score body.off
 no_file a.csv a.txt
 
@@ -133,6 +152,8 @@ awk -F, 'NR > 1 && ($1 != NR-2 || $2 < -1 || $3 < 0 || $4 < -1 || $4 > 1 || NF !
 expect 0 find a.ply --refs "$refs" "${quick[@]}" -o again.csv
 expect 0 find body.off --refs "$refs" "${quick[@]}" --threads 1 -o b.csv -o b.json -o b.ply
 expect 0 find body.off --refs "$refs" "${quick[@]}" --threads 2 -o c.csv -o c.json -o c.ply
+expect 0 find body.off --refs "$head $foot, $left $right" "${quick[@]}" -o blanks.csv
+cmp -s a.csv blanks.csv || fail "references with blanks give other bytes"
 for ending in csv json ply; do
   cmp -s a.$ending b.$ending && cmp -s a.$ending c.$ending || fail "the same seed gives other bytes: $ending"
 done
@@ -228,7 +249,7 @@ expect 2 find small.off body.off -o a.csv -o b.csv
 expect 2 find scans -o results --summary json
 expect 2 find scans -o results --format xyz
 expect 2 find scans -o results --threads 1000
-one_line
+says "--threads: must be a whole number, 0 to 256, got"
 expect 2 find scans -o results --method pairs
 expect 2 find small.off -o a.csv --redo
 expect 2 find small.off --format csv

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ga_symmetry/context.h"
+#include "ga_symmetry/option_table.h"
 
 namespace ga_symmetry::tool {
 
@@ -26,6 +27,11 @@ void add_choice(CLI::App& app, const std::string& name, Value& value,
   app.add_option_function<std::string>(name, choose, current.empty() ? help : help + " [" + current + "]")
       ->type_name(names);
 }
+
+/// An option of the core as the command line has it: --joint-sites; a flag that is on by default: --no-noise-filter.
+std::string flag_of(const OptionInfo& info);
+/// An option of the core. Its value, once given, goes to `options`, and its name to `given`.
+void add_core_option(CLI::App& app, const OptionInfo& info, Options& options, std::vector<std::string>& given);
 
 void add_mesh(CLI::App& app, std::string& path);
 void add_partners(CLI::App& app, std::string& path);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +28,7 @@ struct Arguments {
   Summary summary = Summary::unasked;
   bool quiet = false;
   Options options;
+  std::vector<std::string> given;  // of the options
 };
 
 constexpr const char* kExamples =
@@ -91,21 +92,34 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path) || (!path.empty() && path.back() == '/');
 }
 
-// The references of NAME.refs beside NAME.off: as --refs, but blanks and line ends do for commas.
+// The references of NAME.refs beside NAME.off, written as for --refs.
 std::string read_reference_file(const std::string& mesh) {
   const std::string path = std::filesystem::path(mesh).replace_extension(".refs").string();
   std::ifstream in(path);
   if (!in) throw FileError("cannot read " + path + ": it is to hold the references");
-  std::string out;
-  for (auto word = std::istream_iterator<std::string>(in); word != std::istream_iterator<std::string>(); ++word)
-    out += (out.empty() ? "" : ",") + *word;
-  return out;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+References references_of(const Arguments& a, const std::string& mesh) {
+  return parse_references(a.reference_files ? read_reference_file(mesh) : a.references);
+}
+
+// What is wrong whatever the mesh is said before the first is read.
+void check_arguments(const Arguments& a) {
+  Options options = a.options;
+  if (a.list) options.method = Method::joint;
+  // References of files are not known yet; these stand for them.
+  options.references = a.reference_files ? References{{0, 1}, {{2, 3}}} : parse_references(a.references);
+  for (const IdleOption& idle : idle_options(options, a.list))
+    if (std::find(a.given.begin(), a.given.end(), idle.name) != a.given.end())
+      throw CLI::ValidationError(flag_of(option_info(idle.name)), "does nothing " + idle.why);
+  check_options(options);
 }
 
 Result find_one(const Arguments& a, const std::string& path, const std::vector<std::string>& outputs,
                 const std::string& place, const Context& interrupt) {
   Options options = a.options;
-  options.references = parse_references(a.reference_files ? read_reference_file(path) : a.references);
+  options.references = references_of(a, path);
   ProgressBar bar(!a.quiet, place);
   const Context context = bar.watch(interrupt);
   const TriangleMesh mesh = read_mesh(path, context.part(0, 0.1));
@@ -133,13 +147,6 @@ void run_many(const Arguments& a, const Context& interrupt) {
   if (!is_folder(a.outputs[0]) && (ending == ".csv" || ending == ".json" || ending == ".ply"))
     refuse("--output", "must be a folder for several meshes, got " + a.outputs[0]);
   if (a.summary != Summary::unasked) refuse("--summary", "is for one mesh: the folder's summary.csv has them all");
-  // Options that are wrong for every mesh are refused now: they are looked at before the mesh, here an empty one.
-  Options options = a.options;
-  options.references = a.reference_files ? References{{0, 1}, {{2, 3}}} : parse_references(a.references);
-  try {
-    find_symmetry({}, options);
-  } catch (const InvalidMesh&) {
-  }
   ManyMeshes many{a.meshes, a.outputs[0], a.formats, a.redo, a.quiet};
   if (many.formats.empty()) many.formats = {"csv"};
   find_many(many, [&](const std::string& mesh, const std::vector<std::string>& outputs, const std::string& place) {
@@ -151,7 +158,7 @@ void run_list(const Arguments& a, const Context& interrupt) {
   if (a.meshes.size() > 1 || !a.outputs.empty())
     throw CLI::ValidationError("--list", "is for one mesh, and without -o");
   Options options = a.options;
-  options.references = parse_references(a.reference_files ? read_reference_file(a.meshes[0]) : a.references);
+  options.references = references_of(a, a.meshes[0]);
   std::vector<FoundSymmetry> found;
   {
     ProgressBar bar(!a.quiet);
@@ -175,11 +182,17 @@ void run_list(const Arguments& a, const Context& interrupt) {
 void run(const Arguments& a, const Context& interrupt) {
   if (a.reference_files && !a.references.empty())
     throw CLI::ValidationError("--refs-files", "and --refs cannot both be given");
-  if (a.list) return run_list(a, interrupt);
+  check_arguments(a);
+  const auto refuse_folder_options = [&](const char* why) {
+    if (a.redo || !a.formats.empty()) throw CLI::ValidationError(a.redo ? "--redo" : "--format", why);
+  };
+  if (a.list) {
+    refuse_folder_options("goes with a folder, which --list does not write");
+    return run_list(a, interrupt);
+  }
   if (a.meshes.size() > 1 || is_folder(a.meshes[0]) || std::any_of(a.outputs.begin(), a.outputs.end(), is_folder))
     return run_many(a, interrupt);
-  if (a.redo || !a.formats.empty())
-    throw CLI::ValidationError(a.redo ? "--redo" : "--format", "goes with a folder: -o FOLDER/");
+  refuse_folder_options("goes with a folder: -o FOLDER/");
   run_one(a, interrupt);
 }
 
@@ -200,92 +213,32 @@ void add_find(CLI::App& app, Run& chosen) {
                   "meshes whose outputs are there are skipped, and one that fails does not stop the rest")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  find.add_option("--refs", arguments->references,
-                  "Known vertices, 0-based: two on the symmetry axis, then a left-right pair; a colon makes a pair "
-                  "explicit, as in 3,8,12:57,90:4. Without it they are found automatically")
+  const auto add_core_options = [&](CLI::App& group, std::optional<Method> method) {
+    for (const OptionInfo& info : option_table())
+      if (info.method == method && info.kind != OptionKind::references)
+        add_core_option(group, info, options, arguments->given);
+  };
+  find.add_option(
+          "--refs", arguments->references,
+          "Known vertices, 0-based; " + option_info("references").help + "; without it they are found automatically")
       ->type_name("a0,a1,l,r");
   find.add_flag("--refs-files", arguments->reference_files,
-                "Take the references of NAME.off from NAME.refs beside it, written as for --refs or with blanks");
+                "Take the references of NAME.off from NAME.refs beside it, written as for --refs");
   find.add_option("--format", arguments->formats, "Of the outputs in a folder, may be several: csv,ply [csv]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"csv", "json", "ply"}).description(""))
       ->type_name("csv|json|ply");
   find.add_flag("--redo", arguments->redo, "In a folder, also meshes whose outputs are there");
-  add_choice(find, "--symmetry", options.symmetry,
-             {{"reflection", SymmetryKind::reflection}, {"rotation", SymmetryKind::rotation}}, "Kind of symmetry");
-  add_choice(find, "--method", options.method, {{"joint", Method::joint}, {"pairs", Method::pairs}},
-             "Search for all partners together, or the original one pair by pair, which needs --refs");
-  find.add_option("--seed", options.seed, "Of the random numbers, at least 0; the same seed gives the same bytes")
-      ->check(CLI::NonNegativeNumber.description(""))
-      ->capture_default_str();
-  find.add_option("--threads", options.threads, "0 to 256, 0 = all cores; never changes the result")
-      ->capture_default_str();
-  find.add_option("--proxy", options.proxy,
-                  "A mesh of more than 1.3 times as many vertices is searched on a simplified one of so many; "
-                  "1000 to 1000000, or off")
-      ->transform(CLI::Transformer(std::map<std::string, int>{{"off", 0}}).description(""))
-      ->type_name("N")
-      ->capture_default_str();
+  add_core_options(find, std::nullopt);
   find.add_flag("--list", arguments->list,
                 "Print all symmetries that the mesh has, reflections and rotations, best first, and write no partners");
-  find.add_option("--rank", options.rank, "Take the n-th best of the symmetries of the kind, as listed; 1 to 30")
-      ->type_name("N")
-      ->capture_default_str();
-  find.add_option("--max-fitness", options.max_fitness,
-                  "A vertex whose fitness is above has no partner: -1. 0 = keep all; try 0.08")
-      ->type_name("X")
-      ->capture_default_str();
-  find.add_flag("--largest-component", options.largest_component,
-                "Work on the largest component instead of refusing a mesh of several");
   add_choice(find, "--summary", arguments->summary, {{"text", Summary::text}, {"json", Summary::json}},
              "Print the summary in this form, also beside -o");
   find.add_flag("--quiet", arguments->quiet, "No progress and no warnings");
 
-  PairsOptions& pairs = options.pairs;
-  CLI::App& pairs_group = *find.add_option_group("Method pairs");
-  add_choice(pairs_group, "--fitness", pairs.error, {{"squared", PairError::squared}, {"linear", PairError::linear}},
-             "Relative error of the distances to the axis vertices");
-  pairs_group.add_option("--pairs-samples", pairs.samples, "Samples on both sides together, 20 to 20000")
-      ->capture_default_str();
-  add_choice(pairs_group, "--pairs-sampling", pairs.sampling,
-             {{"even", Sampling::evenly_spaced}, {"uniform", Sampling::uniform}}, "Evenly spaced or uniformly random");
-  pairs_group.add_option("--pairs-individuals", pairs.individuals, "Pairs per reference vertex, 1 to 100")
-      ->capture_default_str();
-  pairs_group.add_option("--pairs-regions", pairs.regions, "Distance regions per axis vertex, 2 to 100")
-      ->capture_default_str();
-  pairs_group.add_option("--pairs-outlier", pairs.outlier_z, "Mutate above this Z-error")->capture_default_str();
-  pairs_group.add_option("--pairs-barrier", pairs.mutation_barrier_z, "Keep below this Z-error")->capture_default_str();
-  pairs_group.add_option("--pairs-mutation", pairs.mutation_probability, "Per pair and generation, 0 to 1")
-      ->capture_default_str();
-  pairs_group.add_option("--pairs-generations", pairs.max_generations, "At most, 1 to 100000")->capture_default_str();
-
-  JointOptions& joint = options.joint;
-  CLI::App& joint_group = *find.add_option_group("Method joint");
-  joint_group.add_option("--joint-samples", joint.samples, "Evenly spaced samples, 20 to 1000")->capture_default_str();
-  joint_group.add_option("--joint-sites", joint.sites, "Candidates for partners, the samples to 5000")
-      ->capture_default_str();
-  joint_group.add_option("--joint-population", joint.population, "Maps in competition, 4 to 10000")
-      ->capture_default_str();
-  joint_group.add_option("--joint-generations", joint.max_generations, "At most, 0 to 10000")->capture_default_str();
-  joint_group.add_flag_callback(
-      "--no-local-refinement", [&options] { options.local_refinement = false; },
-      "Do not move the samples' partners together to where distances agree best");
-  joint_group.add_flag_callback(
-      "--no-noise-filter", [&options] { options.noise_filter = false; },
-      "Do not average over neighbours by how much distances to a partner are off");
-  joint_group.add_option("--joint-mutation", joint.mutation_probability, "Per gene and generation, 0 to 1")
-      ->capture_default_str();
-  const auto add_weight = [&](const std::string& name, double& weight, const std::string& help) {
-    joint_group.add_option("--joint-" + name + "-weight", weight, help + ", at least 0")->capture_default_str();
-  };
-  add_weight("distance", joint.distance_weight, "Distances between the samples are kept");
-  add_weight("orientation", joint.orientation_weight,
-             "Turning directions are reversed (reflection) or kept (rotation)");
-  add_weight("continuity", joint.continuity_weight, "Neighbours go to neighbours");
-  add_weight("descriptor", joint.descriptor_weight, "Partners look alike");
-  add_weight("bijectivity", joint.bijectivity_weight, "No two samples have one partner");
-  add_weight("reference", joint.reference_weight, "Distances to the references are kept");
+  add_core_options(*find.add_option_group("Method joint"), Method::joint);
+  add_core_options(*find.add_option_group("Method pairs"), Method::pairs);
 
   find.callback([arguments, &chosen] { chosen = [arguments](const Context& context) { run(*arguments, context); }; });
 }

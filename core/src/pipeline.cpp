@@ -1,12 +1,12 @@
 // The steps from a mesh to its result, in order, and nothing else: docs/algorithm.md walks the same way.
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "axis/divide.h"
 #include "axis/sides.h"
+#include "ga_symmetry/option_table.h"
 #include "ga_symmetry/symmetry.h"
 #include "geodesics/anchors.h"
 #include "geodesics/shortcuts.h"
@@ -45,44 +45,6 @@ constexpr const char* kNoSymmetry =
 constexpr double kDoubtful = 0.2;  // confidence below which the user is told to look
 // Weight of the curvature in the second adjustment. In the first it has none: from afar it leads to the wrong place.
 constexpr double kAdjustCurvature = 0.006;
-
-[[noreturn]] void out_of_range(const char* name, double value, const char* range) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s must be in %s, got %g", name, range, value);
-  throw InvalidOption(text);
-}
-
-void check(const char* name, double value, double low, double high, const char* range) {
-  if (!(value >= low && value <= high)) out_of_range(name, value, range);
-}
-
-void check_options(const Options& o) {
-  check("threads", o.threads, 0, 256, "[0, 256]");
-  check("max fitness", o.max_fitness, 0, 1e6, "[0, 1e6]");
-  if (o.method == Method::pairs) {
-    if (o.symmetry != SymmetryKind::reflection)
-      throw InvalidOption("the method `pairs` finds reflections only: use the method `joint` for rotations");
-    if (o.references.axis.size() != 2 || o.references.pairs.size() != 1)
-      throw InvalidOption("the method `pairs` needs four references, two on the axis and one pair (a0,a1,l,r)");
-    check_pairs_options(o.pairs);
-    return;
-  }
-  if (o.proxy != 0) check("proxy", o.proxy, 1000, 1e6, "[1000, 1000000], or 0 for none");
-  check("rank", o.rank, 1, 30, "[1, 30]");
-  const JointOptions& j = o.joint;
-  check("joint samples", j.samples, 20, 1000, "[20, 1000]");
-  check("joint sites", j.sites, j.samples, 5000, "[joint samples, 5000]");
-  check("joint population", j.population, 4, 10000, "[4, 10000]");
-  check("joint generations", j.max_generations, 0, 10000, "[0, 10000]");
-  check("joint mutation probability", j.mutation_probability, 0, 1, "[0, 1]");
-  check("joint ruin probability", j.ruin_probability, 0, 1, "[0, 1]");
-  check("joint outlier", j.outlier_z, 0, 1e6, "[0, 1e6]");
-  const std::pair<const char*, double> weights[] = {
-      {"distance weight", j.distance_weight},       {"orientation weight", j.orientation_weight},
-      {"continuity weight", j.continuity_weight},   {"descriptor weight", j.descriptor_weight},
-      {"bijectivity weight", j.bijectivity_weight}, {"reference weight", j.reference_weight}};
-  for (const auto& [name, value] : weights) check(name, value, 0, 1e6, "[0, 1e6]");
-}
 
 // Times the stages one after the other.
 class StageClock {
@@ -269,6 +231,8 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   result.axis_references = options.references.axis;
   result.pair_references = options.references.pairs;
   result.warnings.insert(result.warnings.begin(), search.warnings().begin(), search.warnings().end());
+  for (const IdleOption& idle : idle_options(options))
+    if (idle.changed) result.warnings.push_back(idle.name + " does nothing " + idle.why);
   result.seconds = std::move(seconds);
   context.report(1, "done");
   return result;

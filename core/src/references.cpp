@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <nanoflann.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,12 +22,17 @@
 namespace ga_symmetry {
 namespace {
 
-int parse_vertex(std::string_view word, const std::string& text) {
-  const std::vector<std::string_view> trimmed = split(word);
-  const auto value = trimmed.size() == 1 ? parse_number<int>(trimmed[0]) : std::nullopt;
-  if (!value || *value < 0)
-    throw InvalidOption("references must be vertex indices such as 12,40,7,9 or 12,40,7:9, got \"" + text + "\"");
-  return *value;
+// Numbers, commas and colons; a word that is none of them as it stands.
+std::vector<std::string_view> tokens(std::string_view text) {
+  std::vector<std::string_view> out;
+  for (std::string_view word : split(text))
+    while (!word.empty()) {
+      const std::size_t mark = word.find_first_of(",:");
+      const std::size_t size = mark == 0 ? 1 : std::min(mark, word.size());
+      out.push_back(word.substr(0, size));
+      word.remove_prefix(size);
+    }
+  return out;
 }
 
 void check_repeats(const References& references) {
@@ -107,20 +113,26 @@ double exchange_residual(const FourDistances& distances, const FourDistancesTree
 
 References parse_references(const std::string& text) {
   References references;
-  if (split(text).empty()) return references;
-  const bool colons = text.find(':') != text.npos;
+  const std::vector<std::string_view> token = tokens(text);
+  const auto vertex = [&](std::size_t i) {
+    const auto value = i < token.size() ? parse_number<int>(token[i]) : std::nullopt;
+    if (!value || *value < 0)
+      throw InvalidOption("references must be vertex indices such as 12,40,7,9 or 12,40,7:9, got " + quoted(text));
+    return *value;
+  };
+  const auto is = [&](std::size_t i, const char* mark) { return i < token.size() && token[i] == mark; };
+  bool colons = false;
   std::vector<int> plain;
-  for (std::string_view rest = text;;) {
-    const std::size_t comma = rest.find(',');
-    const std::string_view item = rest.substr(0, comma);
-    const std::size_t colon = item.find(':');
-    if (colon == item.npos)
-      plain.push_back(parse_vertex(item, text));
-    else
-      references.pairs.push_back(
-          {parse_vertex(item.substr(0, colon), text), parse_vertex(item.substr(colon + 1), text)});
-    if (comma == rest.npos) break;
-    rest.remove_prefix(comma + 1);
+  for (std::size_t i = 0; i < token.size();) {
+    const int first = vertex(i++);
+    if (is(i, ":")) {
+      references.pairs.push_back({first, vertex(i + 1)});
+      colons = true;
+      i += 2;
+    } else {
+      plain.push_back(first);
+    }
+    if (is(i, ",")) vertex(++i);  // something must follow
   }
   if (!colons && plain.size() > 2) {
     if (plain.size() % 2)

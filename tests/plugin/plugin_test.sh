@@ -126,11 +126,13 @@ case $case in
     done
     ;;
   references)
-    script --select "0,1,2" "references=$refs" export_to=partners.csv
+    script --select "0,1,2" "references=$a0 $a1, $l $r" method=1 rank=2 export_to=partners.csv
     serve "$sample"
     expect_success
     expect_csv "$sample"
     grep -q "References: $a0,$a1,$l:$r" log || fail "the text did not rule over the selection"
+    grep -q "Warning: rank does nothing with the method pairs" log || fail "an option is ignored without a word"
+    ! grep -q "samples does nothing" log || fail "a default is not an option that was given"
     ;;
   attributes)
     script --select "$refs" export_to=partners.csv

@@ -157,29 +157,6 @@ TEST(ChooseOperator, MutatesWithTheGivenProbability) {
   EXPECT_NEAR(mutations, 2000, 200);  // five standard deviations
 }
 
-TEST(PairsOptions, OutOfRangeIsNamed) {
-  const auto refuses = [](const char* name, const std::function<void(PairsOptions&)>& change) {
-    PairsOptions options;
-    change(options);
-    try {
-      check_pairs_options(options);
-      ADD_FAILURE() << name;
-    } catch (const InvalidOption& error) {
-      EXPECT_EQ(std::string(error.what()).find(name), 0u) << error.what();
-    }
-  };
-  EXPECT_NO_THROW(check_pairs_options({}));
-  refuses("samples", [](PairsOptions& o) { o.samples = 19; });
-  refuses("samples", [](PairsOptions& o) { o.samples = 20001; });
-  refuses("individuals", [](PairsOptions& o) { o.individuals = 0; });
-  refuses("regions", [](PairsOptions& o) { o.regions = 1; });
-  refuses("outlier_z", [](PairsOptions& o) { o.outlier_z = std::nan(""); });
-  refuses("mutation_barrier_z", [](PairsOptions& o) { o.mutation_barrier_z = 0.1; });
-  refuses("mutation_probability", [](PairsOptions& o) { o.mutation_probability = std::nan(""); });
-  refuses("mutation_probability", [](PairsOptions& o) { o.mutation_probability = 1.01; });
-  refuses("max_generations", [](PairsOptions& o) { o.max_generations = 0; });
-}
-
 // A surface with everything that depends on it alone. It keeps the mesh's vertex numbers.
 struct Scene {
   Surface surface;
@@ -469,9 +446,6 @@ TEST(SearchPairs, RefusesBadReferences) {
   refuses({1, 2}, {3, 3});
   refuses({1, n}, {2, 3});
   refuses({1, 2}, {-1, 3});
-  PairsOptions options;
-  options.regions = 0;
-  EXPECT_THROW(Scene(shape).search(options), InvalidOption);
 }
 
 TEST(SearchPairs, ReportsProgressAndCancelThrows) {

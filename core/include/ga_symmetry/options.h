@@ -1,4 +1,4 @@
-// What can be chosen of a search.
+// What can be chosen of a search. By name, with help: option_table.h.
 #pragma once
 #include <cstdint>
 
@@ -30,27 +30,27 @@ struct PairsOptions {
   Sampling sampling = Sampling::evenly_spaced;  ///< of the samples
   int individuals = 4;                          ///< pairs per reference vertex, [1, 100]
   int regions = 5;                              ///< distance regions per axis point, [2, 100]
-  double outlier_z = 1.96;                      ///< mutate where the Z-error is above
-  double mutation_barrier_z = -1.96;            ///< keep where the Z-error is below
-  double mutation_probability = 0.01;           ///< per pair and generation, [0,1]
+  double outlier_z = 1.96;                      ///< mutate where the Z-error is above, [0, inf]
+  double mutation_barrier_z = -1.96;            ///< keep where the Z-error is below, [-inf, 0]
+  double mutation_probability = 0.01;           ///< per pair and generation, [0, 1]
   int max_generations = 300;                    ///< [1, 100000]
 };
 
 /// The joint search: one individual is a partner for every sample. Lengths are relative to sqrt(area).
 struct JointOptions {
   int samples = 100;                   ///< evenly spaced, [20, 1000]
-  int sites = 300;                     ///< candidates for partners, evenly spaced, [samples, 5000]
+  int sites = 300;                     ///< candidates for partners, evenly spaced, not fewer than samples, [20, 5000]
   int population = 80;                 ///< [4, 10000]
   int max_generations = 60;            ///< [0, 10000]
-  double mutation_probability = 0.01;  ///< per gene and generation, [0,1]
-  double ruin_probability = 0.4;       ///< of a child to lose a region and have it made anew, [0,1]
-  double outlier_z = 1.96;             ///< a gene whose cost has a Z-score above looks at all sites, >= 0
-  double distance_weight = 3;          ///< of the terms of the cost, each >= 0
-  double orientation_weight = 1;       ///< of directions to near samples that do not agree up to one angle
-  double continuity_weight = 0.3;      ///< of distances to near samples that change
-  double descriptor_weight = 1;  ///< of curvatures and the like that differ; 0.3 times that where references are given
-  double bijectivity_weight = 0.1;  ///< of how far the partner's partner is off
-  double reference_weight = 1;      ///< of distances to the references that change
+  double mutation_probability = 0.01;  ///< per gene and generation, [0, 1]
+  double ruin_probability = 0.4;       ///< of a child to lose a region and have it made anew, [0, 1]
+  double outlier_z = 1.96;             ///< a gene whose cost has a Z-score above looks at all sites, [0, inf]
+  double distance_weight = 3;          ///< of this term of the cost, as those below, [0, 1e6]
+  double orientation_weight = 1;       ///< of directions to near samples that do not agree up to one angle, [0, 1e6]
+  double continuity_weight = 0.3;      ///< of distances to near samples that change, [0, 1e6]
+  double descriptor_weight = 1;        ///< 0.3 times that where references are given, [0, 1e6]
+  double bijectivity_weight = 0.1;     ///< of how far the partner's partner is off, [0, 1e6]
+  double reference_weight = 1;         ///< [0, 1e6]; without references it does nothing
 };
 
 /// What can be chosen of find_symmetry.
@@ -72,5 +72,10 @@ struct Options {
   PairsOptions pairs;              ///< of the method pairs
   JointOptions joint;              ///< of the method joint
 };
+
+/// What find_symmetry checks before it looks at the mesh.
+/// @throws InvalidOption  for an option that is out of its range, or contradicts another: the method pairs with
+///                        rotations, or without two axis references and a pair
+void check_options(const Options& options);
 
 }  // namespace ga_symmetry

@@ -19,8 +19,9 @@ struct References {
   bool empty() const { return axis.empty() && pairs.empty(); }
 };
 
-/// Reads `a0,a1,l,r` (two axis points, then a pair; further numbers are further pairs). One colon makes a pair
-/// explicit: `12:57` is a pair, `3,8` two axis points, `3,8,12:57,90:4` two axis points and two pairs. "" = none.
+/// Reads `a0,a1,l,r` (two axis points, then a pair; further numbers are further pairs), separated by commas, blanks or
+/// both, a line end being a blank. One colon makes a pair explicit: `12:57` is a pair, `3,8` two axis points,
+/// `3,8,12:57,90:4` two axis points and two pairs. "" = none.
 /// @throws InvalidOption  if the text is not of that form
 References parse_references(const std::string& text);
 

@@ -14,14 +14,13 @@ namespace ga_symmetry {
 /// Finds for every vertex its partner under an intrinsic symmetry.
 /// @throws InvalidMesh    if the mesh is empty, a point cloud, too small, non-manifold, has zero-area faces, several
 ///                        components or coordinates that are not finite
-/// @throws InvalidOption  if an option is out of its range; `pairs` without two axis references and a pair; a rank
-///                        beyond the symmetries found
+/// @throws InvalidOption  as check_options; if a reference is not on the mesh; a rank beyond the symmetries found
 /// @throws Cancelled      if the context asked to stop
 Result find_symmetry(const TriangleMesh& mesh, const Options& options = {}, const Context& context = {});
 
 /// The distinct symmetries of both kinds that the joint search finds, best first; those whose score is more than twice
-/// the best one's are left out. `symmetry` and `rank` of the options do not matter; the n-th of its kind here is that
-/// of rank n there.
+/// the best one's are left out; the n-th of its kind here is that of rank n there. Some options do not matter, and say
+/// nothing: `idle_options(options, true)`.
 /// @throws as find_symmetry
 std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options options = {}, const Context& context = {});
 

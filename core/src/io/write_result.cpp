@@ -105,7 +105,11 @@ std::string to_csv(const Result& result, const Context& context) {
   CsvWriter table("vertex,partner,fitness,side");
   for (std::size_t v = 0; v < result.partners.partner.size(); ++v) {
     stop_at(v, context);
-    table.cell(static_cast<int>(v)).cell(result.partners.partner[v]).cell(result.partners.fitness[v]).cell(result.partners.side[v]).end_row();
+    table.cell(static_cast<int>(v))
+        .cell(result.partners.partner[v])
+        .cell(result.partners.fitness[v])
+        .cell(result.partners.side[v])
+        .end_row();
   }
   return table.text();
 }

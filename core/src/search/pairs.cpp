@@ -265,20 +265,6 @@ std::vector<int> split_sides(const Surface& surface, const DistanceFields& field
   return side;
 }
 
-void check_pairs_options(const PairsOptions& o) {
-  const auto check = [](bool good, const char* name, const char* range, auto value) {
-    if (!good) throw InvalidOption(std::string(name) + " must be " + range + ", got " + std::to_string(value));
-  };
-  check(o.samples >= 20 && o.samples <= 20000, "samples", "in [20, 20000]", o.samples);
-  check(o.individuals >= 1 && o.individuals <= 100, "individuals", "in [1, 100]", o.individuals);
-  check(o.regions >= 2 && o.regions <= 100, "regions", "in [2, 100]", o.regions);
-  check(o.outlier_z >= 0, "outlier_z", "at least 0", o.outlier_z);
-  check(o.mutation_barrier_z <= 0, "mutation_barrier_z", "at most 0", o.mutation_barrier_z);
-  check(o.mutation_probability >= 0 && o.mutation_probability <= 1, "mutation_probability", "in [0, 1]",
-        o.mutation_probability);
-  check(o.max_generations >= 1 && o.max_generations <= 100000, "max_generations", "in [1, 100000]", o.max_generations);
-}
-
 PairSamples make_pair_samples(const Surface& surface, const DistanceFields& fields, const std::vector<int>& side,
                               const std::array<int, 2>& pair, const PairsOptions& options, Random& random,
                               const Context& context) {
@@ -321,7 +307,6 @@ GeneticRun<Pair> evolve_pairs(const PairSamples& samples, const PairsOptions& op
 PairsResult search_pairs(const Surface& surface, const GeodesicSolver& solver, const PairReferences& references,
                          const PairsOptions& options, Random& random, int threads, const Context& context) {
   const auto& [axis, pair] = references;
-  check_pairs_options(options);
   const std::vector<int> sources{axis[0], axis[1], pair[0], pair[1]};
   check_references(surface, sources);
   context.report(0, "geodesics");

@@ -106,11 +106,9 @@ struct PairsResult {
   double success_threshold = 0;  ///< fitness of the reference pair (l,r)
 };
 
-/// @throws InvalidOption  for the first option that is out of its range
-void check_pairs_options(const PairsOptions& options);
-
 /// Pairs of samples by the paper's algorithm, then a partner for every vertex out of the pairs.
-/// @throws InvalidOption  if a reference is out of range or repeated, or an option out of its range
+/// @param options  as check_options allows
+/// @throws InvalidOption  if a reference is out of range or repeated
 /// @throws Cancelled
 ///
 /// Where the paper is silent or contradicts itself:

@@ -47,7 +47,7 @@ inline std::vector<std::string_view> split(std::string_view line, std::string_vi
 }
 
 /// For a message, which is one line: the first 40 characters in quotes, blanks for white space, ? for what is not
-/// ASCII.
+/// printable ASCII.
 inline std::string quoted(std::string_view text) {
   std::string out(text.substr(0, 40));
   for (char& c : out) {
