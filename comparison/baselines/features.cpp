@@ -10,11 +10,11 @@ namespace ga_symmetry::baselines {
 namespace {
 
 Eigen::VectorXd average_geodesic_distance(const Surface& surface, const GeodesicSolver& solver, int threads) {
-  const Samples samples = evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), threads);
-  const std::vector<int> patch = sample_patches(samples);
+  const Landmarks samples = evenly_spaced_samples(surface, solver, std::min(100, surface.vertices()), threads);
+  const std::vector<int> patch = nearest_source(samples.field);
   Eigen::VectorXf area = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(samples.vertex.size()));
   for (int v = 0; v < surface.vertices(); ++v) area[patch[v]] += static_cast<float>(surface.vertex_area[v]);
-  return (samples.distance.transpose() * area).cast<double>() / (surface.area * surface.unit());
+  return (samples.field.transpose() * area).cast<double>() / (surface.area * surface.unit());
 }
 
 // Energies and their width are those of Aubry et al.: evenly spaced in the logarithm of the eigenvalues.
