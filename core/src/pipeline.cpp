@@ -12,13 +12,15 @@
 #include "geodesics/shortcuts.h"
 #include "matching/dense_map.h"
 #include "matching/fitness.h"
+#include "matching/prolongation.h"
 #include "matching/ranking.h"
 #include "matching/refinement.h"
 #include "search/joint.h"
 #include "search/pairs.h"
 #include "search/sites.h"
-#include "search_surface.h"
 #include "surface/curvature.h"
+#include "surface/mirror_plane.h"
+#include "surface/search_surface.h"
 #include "surface_result.h"
 
 namespace ga_symmetry {
@@ -71,7 +73,8 @@ struct Measured {
         sites(make_sites(surface, solver, {options.joint.samples, options.joint.sites, kNeighbors}, options.threads,
                          shortcuts, context.part(surface.closed ? 0 : 0.2, 1, "distances"))),
         diffusion(surface),
-        curvature(curvature_features(surface, diffusion)) {}
+        curvature(curvature_features(surface, diffusion)),
+        planes(surface, sites.vertex) {}
 
   const Surface& surface;
   GeodesicSolver solver;
@@ -79,6 +82,7 @@ struct Measured {
   Sites sites;
   HeatDiffusion diffusion;
   CurvatureFeatures curvature;
+  MirrorPlanes planes;  // that mirror it as it stands
 };
 
 // The symmetries of one kind, best first, and what their maps are refined with.
@@ -103,15 +107,21 @@ Survey survey_symmetries(const Measured& measured, const SurfaceReferences& refe
   const Anchors anchors = make_anchors(references, options.symmetry, measured.solver, options.threads);
   const JointProblem problem(sites, measured.surface, options.symmetry, anchors, options.joint);
   Random random(options.seed);
-  JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7));
+  std::vector<SampleMap> seeds;
+  constexpr int kPlanes = 6;  // more than solids of CAD have that differ
+  if (options.symmetry == SymmetryKind::reflection)
+    for (const MirrorPlane& plane : measured.planes.search(kPlanes))
+      seeds.push_back(measured.planes.map(plane, sites.samples));
+  JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7), std::move(seeds));
   clock.stage_done("search");
 
   context.report(0.7, "refinement");
-  Survey out{{measured.surface, measured.solver, measured.shortcuts, measured.curvature,
-              make_landmarks(sites, anchors.from), anchors.count(), options.symmetry == SymmetryKind::reflection},
-             {},
-             std::move(search.log),
-             search.stop};
+  Survey out{
+      {measured.surface, measured.solver, measured.shortcuts, measured.curvature, make_landmarks(sites, anchors.from),
+       anchors.count(), options.symmetry == SymmetryKind::reflection, &measured.planes},
+      {},
+      std::move(search.log),
+      search.stop};
   out.ranking = rank_maps(out.matching, sites, search.maps, anchors.image, refine, options.threads,
                           context.part(0.8, 1, "refinement"));
   return out;
@@ -170,6 +180,14 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
     const int v = matching.landmarks.vertex[i];
     out.pairs.push_back({v, map.partner[v], out.fitness[v]});
   }
+  if (matching.reflection) {
+    // The pose is symmetric where the mirrored surface lies on itself, and the map says the same.
+    constexpr double kMisfit = 0.02, kAway = 0.1;  // units
+    std::vector<SurfacePoint> partners;
+    for (const int v : measured.sites.vertex) partners.push_back(map.point[v]);
+    const Mirrored mirrored = mirrored_by(matching, measured.sites.vertex, partners);
+    if (mirrored.plane.misfit < kMisfit && mirrored.away < kAway) out.mirror = mirrored.plane;
+  }
   out.partner = std::move(map.partner);
   out.point = std::move(map.point);
   return out;
@@ -205,27 +223,31 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   Surface of_mesh = make_surface(mesh, options.largest_component, context);
   clock.stage_done("surface");
   const SearchSurface search(std::move(of_mesh), options, context.part(0, 0.3));
-  if (search.proxy()) clock.stage_done("proxy");
+  if (!search.direct()) clock.stage_done("search surface");
   const SurfaceReferences references = search.locate(options.references);
 
   SurfaceResult found = options.method == Method::pairs
                             ? find_by_pairs(search.searched(), references, options, context, clock)
                             : find_jointly(search.searched(), references, options,
-                                           search.proxy() ? context.part(0.3, 0.8) : context, clock);
-  if (search.proxy()) {
+                                           search.direct() ? context : context.part(0.3, 0.8), clock);
+  // On the searched surface, which is in one piece.
+  if (!found.left_right.empty()) connect_sides(search.searched(), found.left_right);
+  if (!search.direct()) {
     context.report(0.8, "all vertices");
-    found = prolongate(std::move(found), search.of_mesh(), *search.proxy(), options.threads, context.part(0.8, 0.95));
+    found = prolongate(std::move(found), search, options.symmetry == SymmetryKind::reflection, options.threads,
+                       context.part(0.8, 0.95));
     clock.stage_done("all vertices");
   }
 
   context.report(0.95, "axis");
   Division division;
-  if (!found.left_right.empty()) division = divide(search.of_mesh(), std::move(found.left_right));
+  if (!found.left_right.empty()) division = divide(search.of_mesh(), found.left_right);
   if (found.side.empty()) found.side = std::move(division.side);
   found.side.resize(search.of_mesh().vertices(), 0);  // a rotation has no sides
   clock.stage_done("axis");
 
   Result result = to_mesh(std::move(found), std::move(division.axis), search.of_mesh(), options.max_fitness);
+  result.surface = search.summary();
   result.kind = options.symmetry;
   result.seed = options.seed;
   result.axis_references = options.references.axis;

@@ -15,7 +15,7 @@
 #include "ga_symmetry/options.h"
 #include "geodesics/geodesics.h"
 #include "geodesics/sampling.h"
-#include "search_surface.h"
+#include "surface/search_surface.h"
 #include "surface/surface.h"
 #include "util/text_scan.h"
 

@@ -5,20 +5,6 @@
 
 namespace ga_symmetry {
 
-SurfaceResult prolongate(SurfaceResult found, const Surface& large, const Proxy& proxy, int threads,
-                         const Context& context) {
-  CarriedMap map = carry_to(large, proxy, found.point, threads, context);
-  found.partner = std::move(map.partner);
-  found.point = std::move(map.point);
-  found.fitness = interpolate(proxy, found.fitness);
-  if (!found.left_right.empty()) found.left_right = interpolate(proxy, found.left_right);
-  for (SymmetricPair& pair : found.pairs) {
-    pair.vertex = proxy.vertex[pair.vertex];
-    pair.partner = found.partner[pair.vertex];
-  }
-  return found;
-}
-
 Result to_mesh(SurfaceResult found, std::vector<std::vector<SurfacePoint>> axis, const Surface& surface,
                double max_fitness) {
   Result out;
@@ -35,16 +21,17 @@ Result to_mesh(SurfaceResult found, std::vector<std::vector<SurfacePoint>> axis,
       found.partner[v] = -1;
       continue;
     }
-    sum += found.fitness[v];
-    ++out.matched;
   }
+  for (const int v : surface.surface_vertex)
+    if (v >= 0 && found.partner[v] >= 0) sum += found.fitness[v], ++out.matched;
   out.mean_fitness = out.matched ? sum / out.matched : 0;
   out.partners.partner.assign(n, -1);
   out.partners.fitness.assign(n, worst);
   out.partners.side.assign(n, 0);
   out.partner_point.assign(n, {});
-  for (int v = 0; v < surface.vertices(); ++v) {
-    const int m = surface.mesh_vertex[v];
+  for (int m = 0; m < n; ++m) {
+    const int v = surface.surface_vertex[m];
+    if (v < 0) continue;
     out.partners.side[m] = found.side[v];
     if (found.partner[v] < 0) continue;
     out.partners.partner[m] = surface.mesh_vertex[found.partner[v]];

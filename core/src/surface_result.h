@@ -1,10 +1,10 @@
 // What was found on a surface, and how it becomes the result of the mesh.
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "ga_symmetry/context.h"
 #include "ga_symmetry/result.h"
-#include "surface/proxy.h"
+#include "surface/mirror_plane.h"
 #include "surface/surface.h"
 
 namespace ga_symmetry {
@@ -22,14 +22,9 @@ struct SurfaceResult {
   double confidence = 1;                  ///< as Result::confidence
   std::vector<GenerationLog> log;
   StopReason stop = StopReason::max_generations;
+  std::optional<MirrorPlane> mirror;  ///< mirrors the surface as it stands, with the same partners
   std::vector<std::string> warnings;
 };
-
-/// What was found on the proxy, at every vertex of the large surface (prolongation, as between the levels of
-/// multigrid).
-/// @throws Cancelled
-SurfaceResult prolongate(SurfaceResult found, const Surface& large, const Proxy& proxy, int threads,
-                         const Context& context = {});
 
 /// What was found on the mesh's surface, in the mesh's own vertices, with what follows from it: means, counts.
 /// @param axis         of the surface

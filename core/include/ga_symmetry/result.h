@@ -79,8 +79,9 @@ struct Result {
   std::vector<GenerationLog> log;                 ///< of the genetic search
   StopReason stop = StopReason::max_generations;  ///< why that ended
   std::vector<StageTime> seconds;                 ///< per stage, in order
-  std::vector<std::string> warnings;              ///< one line each, for the user
-  std::uint64_t seed = 1;                         ///< as used
+  std::string surface;                ///< what was done inside to search the mesh, in one line; "" = nothing
+  std::vector<std::string> warnings;  ///< one line each, for the user
+  std::uint64_t seed = 1;             ///< as used
 };
 
 }  // namespace ga_symmetry

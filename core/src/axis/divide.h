@@ -12,8 +12,7 @@ struct Division {
   std::vector<std::vector<SurfacePoint>> axis;  ///< polylines on the faces, longest first; closed ones repeat a point
 };
 
-/// Each side is one piece where that can be (connect_sides); the axis is between them.
-/// @param left_right  per vertex, > 0 nearer to the left
-Division divide(const Surface& surface, std::vector<float> left_right);
+/// @param left_right  per vertex, > 0 nearer to the left, as connect_sides leaves it
+Division divide(const Surface& surface, const std::vector<float>& left_right);
 
 }  // namespace ga_symmetry

@@ -7,6 +7,7 @@
 #include "geodesics/sampling.h"
 #include "partners/partnered_surface.h"
 #include "surface/neighbors.h"
+#include "surface/welded_mesh.h"
 
 namespace ga_symmetry {
 namespace {
@@ -67,7 +68,11 @@ std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, cons
   for (const int v : left.vertex) right.vertex.push_back(shape.partners.partner[v]);
   left.field = solver.fields(left.vertex, threads, context);
   right.field = solver.fields(right.vertex, threads, context);
-  auto lines = divide(shape.surface, antisymmetric(shape, left_right_function(shape.surface, left, right, 0))).axis;
+  std::vector<float> function = antisymmetric(shape, left_right_function(shape.surface, left, right, 0));
+  int parts = 0;
+  face_parts(shape.surface.triangle, shape.surface.vertices(), parts);
+  if (parts == 1) connect_sides(shape.surface, function);  // of several, many have one sign only, as they should
+  auto lines = divide(shape.surface, function).axis;
   for (auto& line : lines)
     for (SurfacePoint& point : line)
       for (int& v : point.vertex) v = shape.surface.mesh_vertex[v];

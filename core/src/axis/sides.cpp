@@ -140,10 +140,13 @@ std::vector<int> bridge(const Surface& surface, const std::vector<float>& functi
 std::vector<float> left_right_function(const Surface& surface, const Landmarks& from, const Landmarks& to, int left) {
   const float unit = static_cast<float>(surface.unit());
   const std::vector<float> label = label_pairs(from, to, unit, left);
+  constexpr float kFar = 4;  // units: farther than any two points of a body are
   std::vector<float> out(surface.vertices(), 0.f), total(out);
   for (std::size_t i = 0; i < label.size(); ++i)
     for (int v = 0; v < surface.vertices(); ++v) {
-      const float a = from.field(i, v) / unit, b = to.field(i, v) / unit, near = std::min(a, b);
+      // Another part of the mesh is far, but not infinitely.
+      const float a = std::min(kFar, from.field(i, v) / unit), b = std::min(kFar, to.field(i, v) / unit);
+      const float near = std::min(a, b);
       const float weight = 1 / (near * near + kNear2);
       out[v] += weight * label[i] * (b - a);
       total[v] += weight;

@@ -11,7 +11,7 @@ SpacedSamples spaced_samples(const TriangleMesh& mesh, int count, bool largest_c
   const Landmarks samples = evenly_spaced_samples(surface, GeodesicSolver(surface), count, threads, context);
   const std::vector<int> patch = nearest_source(samples.field);
   SpacedSamples out;
-  out.warnings = surface.warnings;
+  out.warnings = surface.notes;
   out.patch.assign(static_cast<std::size_t>(mesh.vertices()), -1);
   for (int v = 0; v < surface.vertices(); ++v) out.patch[surface.mesh_vertex[v]] = patch[v];
   for (const int v : samples.vertex) out.vertex.push_back(surface.mesh_vertex[v]);

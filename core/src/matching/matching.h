@@ -3,6 +3,7 @@
 #include "geodesics/geodesics.h"
 #include "geodesics/shortcuts.h"
 #include "surface/curvature.h"
+#include "surface/mirror_plane.h"
 #include "surface/surface.h"
 
 namespace ga_symmetry {
@@ -12,11 +13,12 @@ namespace ga_symmetry {
 struct Matching {
   const Surface& surface;
   const GeodesicSolver& solver;
-  const Shortcuts& shortcuts;          ///< through what is missing of the surface
-  const CurvatureFeatures& curvature;  ///< of all vertices
-  Landmarks landmarks;                 ///< the samples, then the user's references
-  int fixed = 0;                       ///< so many landmarks at the end have images that are exact: the references'
-  bool reflection = true;              ///< a reflection also takes images to landmarks, and mirrors directions
+  const Shortcuts& shortcuts;            ///< through what is missing of the surface
+  const CurvatureFeatures& curvature;    ///< of all vertices
+  Landmarks landmarks;                   ///< the samples, then the user's references
+  int fixed = 0;                         ///< so many landmarks at the end have images that are exact: the references'
+  bool reflection = true;                ///< a reflection also takes images to landmarks, and mirrors directions
+  const MirrorPlanes* planes = nullptr;  ///< that mirror the surface as it stands; null = not looked for
 
   int count() const { return static_cast<int>(landmarks.vertex.size()); }
   int movable() const { return count() - fixed; }

@@ -40,6 +40,23 @@ Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& refe
   return out;
 }
 
+Mirrored mirrored_by(const Matching& m, const std::vector<int>& vertices, const std::vector<SurfacePoint>& partners) {
+  constexpr double kCap = 0.04;  // squared units: what one side lacks says nothing of the rest
+  std::vector<Eigen::Vector3d> from, to;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    from.emplace_back(m.surface.point(vertices[i]));
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) at += partners[i].weight[k] * Eigen::Vector3d(m.surface.point(partners[i].vertex[k]));
+    to.push_back(at);
+  }
+  Mirrored out{m.planes->fitted(MirrorPlanes::between(from, to)), 0};
+  double sum = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    sum += std::min(kCap, (out.plane.mirror(from[i]) - to[i]).squaredNorm() / m.surface.area);
+  out.away = std::sqrt(sum / static_cast<double>(from.size()));
+  return out;
+}
+
 double disagreement(const Matching& m, const Sites& sites, const Images& images) {
   constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
   constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.75;
@@ -54,7 +71,17 @@ double disagreement(const Matching& m, const Sites& sites, const Images& images)
   }
   if (moved == 0) return INFINITY;
   error /= sites.count(), moved /= sites.count(), unlike /= sites.count();
-  return (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 1.25);
+  // Where the map is the mirror image of the shape as it stands, that is evidence of its own: up to half the score. A
+  // pose that is not symmetric says nothing.
+  constexpr double kMisfit = 0.04, kAway = 0.12;  // units, at which there is none
+  double doubt = 1;
+  if (m.reflection && m.planes) {
+    std::vector<SurfacePoint> partners;
+    for (const int p : probes.partner) partners.push_back({{p, p, p}, {1, 0, 0}});
+    const Mirrored mirrored = mirrored_by(m, sites.vertex, partners);
+    doubt = 0.5 + 0.5 * std::min(1.0, std::max(mirrored.plane.misfit / kMisfit, mirrored.away / kAway));
+  }
+  return doubt * (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 1.25);
 }
 
 bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const Images& b) {

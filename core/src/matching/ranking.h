@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ga_symmetry/context.h"
+#include "ga_symmetry/result.h"
 #include "matching/matching.h"
 #include "search/joint.h"
 #include "search/sites.h"
@@ -15,6 +16,15 @@ struct Candidate {
   int order = 0;     ///< applied so often it is the identity, 0 = not within twelve times
   double score = 0;  ///< >= 0, lower is better
 };
+
+/// The plane that comes nearest to a map.
+struct Mirrored {
+  MirrorPlane plane;  ///< fitted to the surface
+  double away = 0;  ///< root mean square distance from mirrored points to their partners, each capped at 0.2, in units
+};
+/// @param partners  of the vertices
+Mirrored mirrored_by(const Matching& matching, const std::vector<int>& vertices,
+                     const std::vector<SurfacePoint>& partners);
 
 /// The images of the samples under a map, then those of the references.
 Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& reference_images);

@@ -3,16 +3,15 @@
 #include <vector>
 
 #include "ga_symmetry/partners.h"
-#include "surface/neighbors.h"
 #include "surface/surface.h"
 
 namespace ga_symmetry {
 
 struct PartneredSurface {
-  /// @throws InvalidOption  as check_partners  @throws InvalidMesh  as make_surface with the largest component
+  /// @throws InvalidOption  as check_partners  @throws InvalidMesh  as make_surface
   PartneredSurface(const TriangleMesh& mesh, const Partners& given)
-      : surface((check_partners(given, mesh), make_surface(mesh, true))) {
-    const std::vector<int> index = surface_vertices(surface);
+      : surface((check_partners(given, mesh), make_surface(mesh))) {
+    const std::vector<int>& index = surface.surface_vertex;
     for (const int m : surface.mesh_vertex) {
       partners.partner.push_back(given.partner[m] < 0 ? -1 : index[given.partner[m]]);
       partners.fitness.push_back(given.fitness[m]);

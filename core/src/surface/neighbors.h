@@ -1,7 +1,5 @@
-// Walking over a surface's edges, and from a mesh's vertices to a surface's.
+// Walking over a surface's edges.
 #pragma once
-#include <vector>
-
 #include "surface/surface.h"
 
 namespace ga_symmetry {
@@ -17,13 +15,6 @@ void for_each_neighbor(const Surface& surface, int vertex, const Visit& visit) {
     if (surface.opposite[next_corner(corner)] < 0 || !surface.orientable)
       visit(surface.triangle[previous_corner(corner)]);
   }
-}
-
-/// Per vertex of the mesh that came in: its surface vertex, -1 = it is not on the surface.
-inline std::vector<int> surface_vertices(const Surface& surface) {
-  std::vector<int> out(static_cast<std::size_t>(surface.mesh_vertices), -1);
-  for (int v = 0; v < surface.vertices(); ++v) out[surface.mesh_vertex[v]] = v;
-  return out;
 }
 
 }  // namespace ga_symmetry

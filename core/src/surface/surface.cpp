@@ -1,22 +1,20 @@
 #include "surface/surface.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "ga_symmetry/errors.h"
+#include "surface/welded_mesh.h"
 
 namespace ga_symmetry {
 namespace {
-
-constexpr int kMinVertices = 20;
-// Each step over the surface looks at all neighbours of a vertex: the time grows with the square of this.
-constexpr int kMostFacesAround = 20000;
-// A face is degenerate when its area is below rounding in float coordinates, relative to its longest edge squared.
-constexpr double kZeroArea = 1e-9;
 
 double squared(const double* a, const double* b) {
   double sum = 0;
@@ -32,63 +30,45 @@ double triangle_area(const double* a, const double* b, const double* c) {
 
 std::string count_of(long n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
-void check_input(const TriangleMesh& mesh) {
-  constexpr std::size_t kMost = std::numeric_limits<int>::max();  // corners are numbered in int
-  if (mesh.position.size() / 3 > kMost || mesh.triangle.size() > kMost)
-    throw InvalidMesh("the mesh has more than " + std::to_string(kMost / 3) + " faces or " + std::to_string(kMost) +
-                      " vertices: simplify it first");
-  const int n = mesh.vertices();
-  if (n == 0) throw InvalidMesh("the mesh is empty: open a mesh with triangles");
-  if (mesh.triangles() == 0)
-    throw InvalidMesh("the mesh has no faces (a point cloud): reconstruct a surface from its points first");
-  for (int v : mesh.triangle)
-    if (v < 0 || v >= n)
-      throw InvalidMesh("a face refers to vertex " + std::to_string(v) + " of " + std::to_string(n) +
-                        ": repair the mesh file");
-  for (std::size_t i = 0; i < mesh.position.size(); ++i)
-    if (!std::isfinite(mesh.position[i]))
-      throw InvalidMesh("vertex " + std::to_string(i / 3) +
-                        " has a coordinate that is not finite: repair or delete it");
-}
-
-// Scale to the unit box before anything is squared, so that 1e-30 and 1e+30 neither vanish nor overflow.
-std::vector<double> normalized(const TriangleMesh& mesh) {
-  double low[3], high[3];
-  for (int k = 0; k < 3; ++k) low[k] = INFINITY, high[k] = -INFINITY;
-  for (int v : mesh.triangle)
-    for (int k = 0; k < 3; ++k) {
-      const double x = mesh.position[3 * static_cast<std::size_t>(v) + k];
-      low[k] = std::min(low[k], x);
-      high[k] = std::max(high[k], x);
-    }
-  double size = 0;
-  for (int k = 0; k < 3; ++k) size = std::max(size, high[k] - low[k]);
-  if (!(size > 0) || !std::isfinite(size))
-    throw InvalidMesh("the mesh has no extent that can be measured: check the scale of its coordinates");
-  std::vector<double> out(mesh.position.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = (mesh.position[i] - low[i % 3]) / size;
-  return out;
-}
-
-void check_areas(const std::vector<double>& position, const std::vector<int>& triangle) {
-  long zero = 0, first = -1;
-  for (std::size_t f = 0; f < triangle.size() / 3; ++f) {
-    const double* p[3];
-    for (int k = 0; k < 3; ++k) p[k] = &position[3 * static_cast<std::size_t>(triangle[3 * f + k])];
-    const double longest = std::max({squared(p[0], p[1]), squared(p[1], p[2]), squared(p[2], p[0])});
-    if (triangle_area(p[0], p[1], p[2]) > kZeroArea * longest) continue;
-    if (!zero++) first = static_cast<long>(f);
-  }
-  if (zero)
-    throw InvalidMesh(count_of(zero, "face") + " with zero area (first: face " + std::to_string(first) +
-                      "): merge close vertices and remove zero area faces, then close the holes");
-}
-
 void stop_at(std::size_t i, const Context& context) {
   if (i % 65536 == 0 && context.cancelled()) throw Cancelled();
 }
 
-// Fills Surface::opposite. @throws InvalidMesh on an edge with more than two faces
+// At an edge of more than two faces: which of them are one sheet. Pairs wound alike come first, as the two sides of
+// one solid are; of those the flattest, as a sheet that a fin stands on. What is left over is a border.
+void pair_sheets(Surface& s, const int* corner, int count) {
+  using Vector = Eigen::Vector3d;
+  struct Pair {
+    bool against;  // wound against each other
+    double bend;   // cosine of the angle between the faces: -1 = flat
+    int i, j;
+  };
+  std::vector<Vector> across(count);
+  std::vector<bool> forward(count);
+  for (int i = 0; i < count; ++i) {
+    const int c = corner[i], a = s.triangle[next_corner(c)], b = s.triangle[previous_corner(c)];
+    const Vector p(s.point(std::min(a, b))), along = (Vector(s.point(std::max(a, b))) - p).normalized();
+    const Vector up = Vector(s.point(s.triangle[c])) - p;
+    across[i] = (up - up.dot(along) * along).normalized();
+    forward[i] = a < b;
+  }
+  std::vector<Pair> pairs;
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j) pairs.push_back({forward[i] == forward[j], across[i].dot(across[j]), i, j});
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
+    return std::tie(x.against, x.bend, x.i, x.j) < std::tie(y.against, y.bend, y.i, y.j);
+  });
+  std::vector<bool> taken(count);
+  for (const Pair& p : pairs) {
+    if (taken[p.i] || taken[p.j]) continue;
+    taken[p.i] = taken[p.j] = true;
+    s.opposite[corner[p.i]] = corner[p.j];
+    s.opposite[corner[p.j]] = corner[p.i];
+  }
+  if (std::find(taken.begin(), taken.end(), false) != taken.end()) s.closed = false;
+}
+
+// Fills Surface::opposite.
 void link_corners(Surface& s, const Context& context) {
   struct Edge {
     int low, high, corner;
@@ -114,12 +94,14 @@ void link_corners(Surface& s, const Context& context) {
               [](const Edge& x, const Edge& y) { return x.high != y.high ? x.high < y.high : x.corner < y.corner; });
   }
   s.opposite.assign(s.triangle.size(), -1);
-  long bad = 0;
-  int bad_a = 0, bad_b = 0;
+  std::vector<int> sheets;
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     for (j = i + 1; j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high;) ++j;
     if (j - i > 2) {
-      if (!bad++) bad_a = s.mesh_vertex[edges[i].low], bad_b = s.mesh_vertex[edges[i].high];
+      sheets.clear();
+      for (std::size_t k = i; k < j; ++k) sheets.push_back(edges[k].corner);
+      pair_sheets(s, sheets.data(), static_cast<int>(sheets.size()));
+      ++s.branching;
     } else if (j - i == 2) {
       s.opposite[edges[i].corner] = edges[i + 1].corner;
       s.opposite[edges[i + 1].corner] = edges[i].corner;
@@ -127,58 +109,6 @@ void link_corners(Surface& s, const Context& context) {
       s.closed = false;
     }
   }
-  if (bad)
-    throw InvalidMesh(count_of(bad, "edge") + " shared by more than two faces (first: vertices " +
-                      std::to_string(bad_a) + " and " + std::to_string(bad_b) +
-                      "): repair the non-manifold edges first");
-}
-
-// Component of each face, connected through vertices.
-std::vector<int> face_components(const std::vector<int>& triangle, int n, int& count) {
-  std::vector<int> root(n);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  for (std::size_t i = 0; i < triangle.size(); i += 3)
-    for (int k = 1; k < 3; ++k) {
-      const int a = find(triangle[i]), b = find(triangle[i + k]);
-      root[std::max(a, b)] = std::min(a, b);
-    }
-  std::vector<int> label(n, -1), component(triangle.size() / 3);
-  count = 0;
-  for (std::size_t f = 0; f < component.size(); ++f) {
-    int& mine = label[find(triangle[3 * f])];
-    if (mine < 0) mine = count++;
-    component[f] = mine;
-  }
-  return component;
-}
-
-// Keeps one component, or refuses several. Works on mesh indices.
-std::vector<int> one_component(const std::vector<double>& position, std::vector<int> triangle, bool largest,
-                               std::vector<std::string>& warnings) {
-  int count = 0;
-  const std::vector<int> component = face_components(triangle, static_cast<int>(position.size() / 3), count);
-  if (count == 1) return triangle;
-  if (!largest)
-    throw InvalidMesh("the mesh has " + std::to_string(count) +
-                      " components: merge close vertices if they only look joined, remove the small ones, or choose to "
-                      "use the largest component");
-  std::vector<double> area(count, 0.0);
-  for (std::size_t f = 0; f < component.size(); ++f) {
-    const double* p[3];
-    for (int k = 0; k < 3; ++k) p[k] = &position[3 * static_cast<std::size_t>(triangle[3 * f + k])];
-    area[component[f]] += triangle_area(p[0], p[1], p[2]);
-  }
-  const int keep = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
-  std::vector<int> out;
-  for (std::size_t f = 0; f < component.size(); ++f)
-    if (component[f] == keep) out.insert(out.end(), &triangle[3 * f], &triangle[3 * f] + 3);
-  warnings.push_back("used the largest of " + std::to_string(count) + " components: " + std::to_string(out.size() / 3) +
-                     " of " + std::to_string(component.size()) + " faces");
-  return out;
 }
 
 void group_corners(Surface& s, int n) {
@@ -218,59 +148,24 @@ void orient_faces(Surface& s, const Context& context) {
     }
   }
   if (!s.orientable) {
-    s.warnings.push_back("the surface has only one side (not orientable): orientation is not used");
     return;
   }
   if (std::find(flip.begin(), flip.end(), 1) == flip.end()) return;
+  // A flipped face's second and third corner change places, and what is across them.
+  const auto moved = [&](int c) { return c < 0 || !flip[c / 3] || c % 3 == 0 ? c : c % 3 == 1 ? c + 1 : c - 1; };
+  const std::vector<int> opposite = s.opposite;
+  for (int c = 0; c < 3 * m; ++c) s.opposite[moved(c)] = moved(opposite[c]);
   for (int f = 0; f < m; ++f)
-    if (flip[f]) std::swap(s.triangle[3 * f + 1], s.triangle[3 * f + 2]);
-  link_corners(s, context);
+    if (flip[f]) std::swap(s.triangle[3 * f + 1], s.triangle[3 * f + 2]), ++s.flipped;
 }
 
-}  // namespace
-
-double Surface::unit() const { return std::sqrt(area); }
-double Surface::edge_length(int a, int b) const { return std::sqrt(squared(point(a), point(b))); }
-
-Surface make_surface(const TriangleMesh& mesh, bool largest_component, const Context& context) {
-  check_input(mesh);
-  const std::vector<double> position = normalized(mesh);
-  stop_at(0, context);
-  check_areas(position, mesh.triangle);
-  stop_at(0, context);
-  Surface s;
-  s.mesh_vertices = mesh.vertices();
-  s.triangle = one_component(position, mesh.triangle, largest_component, s.warnings);
-  stop_at(0, context);
-
-  std::vector<int> index(mesh.vertices(), -1);
-  for (int v : mesh.triangle) index[v] = 0;
-  const long unused = std::count(index.begin(), index.end(), -1);
-  if (unused) s.warnings.push_back("left out " + count_of(unused, "point") + " that no face uses");
-  index.assign(mesh.vertices(), -1);
-  for (int v : s.triangle) index[v] = 0;
-  for (int v = 0; v < mesh.vertices(); ++v) {
-    if (index[v] < 0) continue;
-    index[v] = static_cast<int>(s.mesh_vertex.size());
-    s.mesh_vertex.push_back(v);
-    s.position.insert(s.position.end(), &position[3 * static_cast<std::size_t>(v)],
-                      &position[3 * static_cast<std::size_t>(v)] + 3);
-  }
-  for (int& v : s.triangle) v = index[v];
-  const int n = static_cast<int>(s.mesh_vertex.size());
-  if (n < kMinVertices)
-    throw InvalidMesh("the mesh has only " + std::to_string(n) + " connected vertices" + "; at least " +
-                      std::to_string(kMinVertices) +
-                      " are needed: merge close vertices, subdivide it or open a finer one");
+// Everything that follows from the positions and triangles.
+void connect(Surface& s, const Context& context) {
+  const int n = static_cast<int>(s.position.size() / 3);
   link_corners(s, context);
   orient_faces(s, context);
   stop_at(0, context);
   group_corners(s, n);
-  for (int v = 0; v < n; ++v)
-    if (const int faces = s.first_corner[v + 1] - s.first_corner[v]; faces > kMostFacesAround)
-      throw InvalidMesh("vertex " + std::to_string(s.mesh_vertex[v]) + " has " + std::to_string(faces) +
-                        " faces around it, more than " + std::to_string(kMostFacesAround) +
-                        ": remesh the surface around it");
   s.vertex_area.assign(n, 0.0);
   for (int f = 0; f < s.triangles(); ++f) {
     const int* t = &s.triangle[3 * static_cast<std::size_t>(f)];
@@ -278,6 +173,39 @@ Surface make_surface(const TriangleMesh& mesh, bool largest_component, const Con
     s.area += a;
     for (int k = 0; k < 3; ++k) s.vertex_area[t[k]] += a / 3;
   }
+}
+
+}  // namespace
+
+double Surface::unit() const { return std::sqrt(area); }
+double Surface::edge_length(int a, int b) const { return std::sqrt(squared(point(a), point(b))); }
+
+Surface surface_of(std::vector<double> position, std::vector<int> triangle, const Context& context) {
+  Surface s;
+  s.position = std::move(position);
+  s.triangle = std::move(triangle);
+  s.mesh_vertices = static_cast<int>(s.position.size() / 3);
+  s.mesh_vertex.resize(s.mesh_vertices);
+  std::iota(s.mesh_vertex.begin(), s.mesh_vertex.end(), 0);
+  s.surface_vertex = s.mesh_vertex;
+  connect(s, context);
+  return s;
+}
+
+Surface make_surface(const TriangleMesh& mesh, bool largest_component, const Context& context) {
+  WeldedMesh welded = weld(mesh, context);
+  if (largest_component) keep_largest(welded);
+  Surface s;
+  s.mesh_vertices = mesh.vertices();
+  s.position = std::move(welded.position);
+  s.triangle = std::move(welded.triangle);
+  s.mesh_vertex = std::move(welded.vertex);
+  s.surface_vertex = std::move(welded.place);
+  connect(s, context);
+  s.notes = std::move(welded.notes);
+  if (s.branching) s.notes.push_back("cut " + count_of(s.branching, "edge") + " of more than two faces");
+  if (s.flipped) s.notes.push_back("turned " + count_of(s.flipped, "face") + " to face their neighbours' way");
+  if (!s.orientable) s.notes.push_back("a part has only one side, so orientation is not used");
   return s;
 }
 

@@ -1,0 +1,245 @@
+#include "matching/prolongation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nanoflann.hpp>
+
+#include "ga_symmetry/errors.h"
+#include "surface/locate.h"
+#include "surface/nearest_point.h"
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+// Takes what is near a vertex to where its partner is.
+struct Motion {
+  Vector from, to;  // centres
+  Eigen::Matrix3d turn;
+  Vector operator()(const Vector& p) const { return to + turn * (p - from); }
+};
+
+Vector position(const Surface& s, const SurfacePoint& p) {
+  return p.weight[0] * Vector(s.point(p.vertex[0])) + p.weight[1] * Vector(s.point(p.vertex[1])) +
+         p.weight[2] * Vector(s.point(p.vertex[2]));
+}
+
+// The best rigid motion of the two rings around every vertex (Kabsch 1976).
+std::vector<Motion> local_motions(const Surface& s, const std::vector<SurfacePoint>& point, bool reflection,
+                                  int threads) {
+  constexpr int kRings = 2;
+  const int n = s.vertices();
+  std::vector<Vector> image(n);
+  for (int v = 0; v < n; ++v) image[v] = position(s, point[v]);
+  std::vector<Motion> out(n);
+  parallel_for(n, threads, [&](int v, int) {
+    std::vector<int> near{v};
+    std::size_t first = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+      const std::size_t last = near.size();
+      for (; first < last; ++first)
+        for (int i = s.first_corner[near[first]]; i < s.first_corner[near[first] + 1]; ++i)
+          for (int w : {s.triangle[next_corner(s.corner_at[i])], s.triangle[previous_corner(s.corner_at[i])]})
+            if (std::find(near.begin(), near.end(), w) == near.end()) near.push_back(w);
+    }
+    Motion m;
+    m.from = m.to = Vector::Zero();
+    for (int w : near) m.from += Vector(s.point(w)), m.to += image[w];
+    m.from /= static_cast<double>(near.size()), m.to /= static_cast<double>(near.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int w : near) covariance += (image[w] - m.to) * (Vector(s.point(w)) - m.from).transpose();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() * (reflection ? -1 : 1);
+    m.turn = svd.matrixU() * Vector(1, 1, sign < 0 ? -1 : 1).asDiagonal() * svd.matrixV().transpose();
+    out[v] = m;
+  });
+  return out;
+}
+
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+// The places of one part, to be found by position.
+class Finder {
+ public:
+  Finder(const Surface& mesh, std::vector<int> places)
+      : place_(std::move(places)), points_(static_cast<Eigen::Index>(place_.size()), 3) {
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      points_.row(static_cast<Eigen::Index>(i)) = Vector(mesh.point(place_[i])).transpose();
+    tree_ = std::make_unique<Tree>(3, std::cref(points_));
+  }
+  /// The nearest place; of those about as near, within `slack`, the one whose normal agrees best.
+  int nearest(const Vector& p, const Vector& normal, const std::vector<Vector>& normals, double slack,
+              double& distance) const {
+    constexpr int kNear = 8;
+    std::array<Eigen::Index, kNear> near{};
+    std::array<double, kNear> squared{};
+    const auto found = tree_->index->knnSearch(p.data(), kNear, near.data(), squared.data());
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < found; ++i) {
+      const int place = place_[near[i]];
+      const double cost = std::sqrt(squared[i]) + slack * 0.5 * (1 - normal.dot(normals[place]));
+      if (cost < least) least = cost, best = place, distance = std::sqrt(squared[i]);
+    }
+    return best;
+  }
+
+ private:
+  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
+  std::vector<int> place_;
+  Points points_;
+  std::unique_ptr<Tree> tree_;
+};
+
+// Values per vertex of the searched surface, at the vertices of the mesh.
+template <class Value>
+std::vector<Value> interpolated(const std::vector<SurfacePoint>& place, const std::vector<Value>& values) {
+  std::vector<Value> out;
+  out.reserve(place.size());
+  for (const SurfacePoint& p : place) {
+    Value sum = 0;
+    for (int k = 0; k < 3; ++k) sum += static_cast<Value>(p.weight[k]) * values[p.vertex[k]];
+    out.push_back(sum);
+  }
+  return out;
+}
+
+}  // namespace
+
+SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool reflection, int threads,
+                         const Context& context) {
+  const Surface &s = search.searched(), &mesh = search.of_mesh();
+  const int n = mesh.vertices();
+  const std::vector<Motion> motion = local_motions(s, found.point, reflection, threads);
+  const double edge = std::sqrt(2 * s.area / s.triangles());
+
+  std::vector<Vector> normal(n);
+  const auto sums = vertex_normals(mesh.position, mesh.triangle);
+  for (int p = 0; p < n; ++p) normal[p] = Vector(sums[p].data()).normalized();
+  std::vector<Vector> image(n), image_normal(n);
+  constexpr int kBlock = 1024;
+  const int blocks = (n + kBlock - 1) / kBlock;
+  const auto for_each_place = [&](const auto& body) {
+    parallel_for(blocks, threads, [&](int block, int) {
+      if (context.cancelled()) throw Cancelled();
+      for (int p = block * kBlock; p < std::min(n, (block + 1) * kBlock); ++p) body(p);
+    });
+  };
+  for_each_place([&](int p) {
+    constexpr double kTorn = 4;  // images of a face's corners so many edges apart have nothing between them
+    const SurfacePoint& at = search.place()[p];
+    const Vector here(mesh.point(p));
+    Vector to[3];
+    for (int k = 0; k < 3; ++k) to[k] = motion[at.vertex[k]](here);
+    int main = static_cast<int>(std::max_element(at.weight.begin(), at.weight.end()) - at.weight.begin());
+    const double spread = std::max({(to[0] - to[1]).norm(), (to[1] - to[2]).norm(), (to[2] - to[0]).norm()});
+    image[p] = to[main];
+    if (spread <= kTorn * edge) image[p] = at.weight[0] * to[0] + at.weight[1] * to[1] + at.weight[2] * to[2];
+    image_normal[p] = motion[at.vertex[main]].turn * normal[p];
+  });
+
+  if (found.mirror) {
+    // Mirrored places stand at their partners exactly, wherever the surface is there and the map agrees.
+    constexpr double kAgree = 0.15, kThere = 0.8;  // units; edges
+    const Eigen::Map<const Points> vertices(s.position.data(), s.vertices(), 3);
+    const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(vertices));
+    const auto off = [&](const Vector& p) {
+      Eigen::Index nearest;
+      double squared;
+      tree.query(p.data(), 1, &nearest, &squared);
+      return std::sqrt(squared);
+    };
+    for_each_place([&](int p) {
+      const Vector here(mesh.point(p)), mirrored = found.mirror->mirror(here);
+      if ((mirrored - image[p]).norm() > kAgree * s.unit() || off(mirrored) > off(here) + kThere * edge) return;
+      image[p] = mirrored;
+      image_normal[p] = normal[p] - 2 * found.mirror->normal.dot(normal[p]) * found.mirror->normal;
+    });
+  }
+
+  // Which part is whose counterpart: where its places come to, as a share of both.
+  std::vector<std::vector<int>> places(search.parts());
+  std::vector<int> used;
+  for (int p = 0; p < n; ++p)
+    if (search.part()[p] >= 0) places[search.part()[p]].push_back(p), used.push_back(p);
+  const Finder all(mesh, used);
+  std::vector<int> partner(n, -1);
+  std::vector<double> off(n, 0.0);
+  for_each_place([&](int p) { partner[p] = all.nearest(image[p], image_normal[p], normal, edge, off[p]); });
+  if (search.parts() > 1) {
+    std::vector<std::unique_ptr<Finder>> finder(search.parts());
+    const auto find = [&](int part) -> const Finder& {
+      if (!finder[part]) finder[part] = std::make_unique<Finder>(mesh, places[part]);
+      return *finder[part];
+    };
+    std::vector<int> counterpart(search.parts(), -1);
+    std::vector<double> votes(search.parts(), 0.0);
+    for (int a = 0; a < search.parts(); ++a) {
+      // Candidates are the parts that are met, and those whose size is alike near by.
+      std::vector<int> met;
+      for (int p : places[a]) {
+        const int b = search.part()[partner[p]];
+        if (votes[b] == 0) met.push_back(b);
+        ++votes[b];
+      }
+      double best = 0;
+      for (int b : met) {
+        const double size = static_cast<double>(places[b].size()), own = static_cast<double>(places[a].size());
+        const double score = votes[b] / own * std::sqrt(std::min(size, own) / std::max(size, own));
+        if (score > best) best = score, counterpart[a] = b;
+        votes[b] = 0;
+      }
+    }
+    // Both ways: a part that has no other claim takes the one that claims it.
+    for (int a = 0; a < search.parts(); ++a)
+      if (counterpart[a] >= 0) find(counterpart[a]);
+    for_each_place([&](int p) {
+      if (search.part()[p] < 0 || counterpart[search.part()[p]] < 0) return;
+      const int wanted = counterpart[search.part()[p]];
+      if (search.part()[partner[p]] == wanted) return;
+      constexpr double kReach = 3;  // edges beyond the nearest place of all parts
+      double d;
+      const int q = finder[wanted]->nearest(image[p], image_normal[p], normal, edge, d);
+      if (q >= 0 && d <= off[p] + kReach * edge) partner[p] = q, off[p] = d;
+    });
+  }
+
+  found.partner = partner;
+  found.point.assign(n, {});
+  for_each_place([&](int p) {
+    const int q = partner[p];
+    if (q < 0) return;
+    found.point[p] = {{q, q, q}, {1, 0, 0}};
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = mesh.first_corner[q]; i < mesh.first_corner[q + 1]; ++i) {
+      const int* t = &mesh.triangle[3 * static_cast<std::size_t>(mesh.corner_at[i] / 3)];
+      const Vector a(mesh.point(t[0])), ab = Vector(mesh.point(t[1])) - a, ac = Vector(mesh.point(t[2])) - a;
+      const Vector ap = image[p] - a;
+      double x, y;
+      nearest_in_triangle(ap, ab, ac, x, y);
+      const double d = (ap - x * ab - y * ac).squaredNorm();
+      if (d < least) least = d, found.point[p] = {{t[0], t[1], t[2]}, {std::max(0.0, 1 - x - y), x, y}};
+    }
+  });
+  found.fitness = interpolated(search.place(), found.fitness);
+  if (!found.left_right.empty()) found.left_right = interpolated(search.place(), found.left_right);
+  // The samples, by the vertex of the mesh that stands nearest to each.
+  std::vector<int> near(s.vertices(), -1);
+  std::vector<double> least(s.vertices(), std::numeric_limits<double>::infinity());
+  for (int p = 0; p < n; ++p)
+    for (const int v : search.place()[p].vertex)
+      if (const double d = (Vector(mesh.point(p)) - Vector(s.point(v))).squaredNorm(); d < least[v])
+        least[v] = d, near[v] = p;
+  std::vector<SymmetricPair> pairs;
+  for (const SymmetricPair& pair : found.pairs)
+    if (const int v = near[pair.vertex]; v >= 0 && partner[v] >= 0) pairs.push_back({v, partner[v], pair.fitness});
+  found.pairs = std::move(pairs);
+  return found;
+}
+
+}  // namespace ga_symmetry

@@ -1,0 +1,210 @@
+#include "surface/mirror_plane.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nanoflann.hpp>
+
+namespace ga_symmetry {
+namespace {
+
+using Vector = Eigen::Vector3d;
+// Positions over the surface's unit, and normals times kTurned: two points are near if they also face the same way. A
+// normal that is turned by 60 degrees counts as much as a tenth of the unit.
+constexpr float kTurned = 0.1f;
+constexpr float kCap = 0.04f;  // squared distance, in units: what one side lacks says nothing of the rest
+using Place = Eigen::Matrix<float, 6, 1>;
+using Places = Eigen::Matrix<float, 6, Eigen::Dynamic>;
+using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Places, 6, nanoflann::metric_L2, false>;
+
+// A plane over the unit, around the mean.
+struct Plane {
+  Eigen::Vector3f normal;
+  float offset = 0, misfit = 0;
+
+  Place mirror(const Place& p) const {
+    Place out = p;
+    out.head<3>() -= 2 * (normal.dot(p.head<3>()) - offset) * normal;
+    out.tail<3>() -= 2 * normal.dot(p.tail<3>()) * normal;
+    return out;
+  }
+};
+
+bool better(const Plane& a, const Plane& b) { return a.misfit < b.misfit; }
+
+// Of planes, best first, those that are no near copy of a better one.
+std::vector<Plane> distinct(std::vector<Plane> planes, std::size_t most) {
+  constexpr float kSameNormal = 0.97f, kSameOffset = 0.06f;  // cosine; units
+  std::stable_sort(planes.begin(), planes.end(), better);
+  std::vector<Plane> out;
+  for (const Plane& p : planes) {
+    if (out.size() >= most) break;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Plane& q) {
+      const float cosine = p.normal.dot(q.normal);
+      return std::abs(cosine) > kSameNormal && std::abs(p.offset - (cosine > 0 ? q.offset : -q.offset)) < kSameOffset;
+    });
+    if (!known) out.push_back(p);
+  }
+  return out;
+}
+
+}  // namespace
+
+struct MirrorPlanes::Impl {
+  double unit;
+  Vector mean;
+  Places all, few;  // of all vertices of the surface, and of the spaced ones
+  std::unique_ptr<Tree> tree;
+
+  // @return squared distance through space along the normal found, and across it where that is more than the vertices
+  // are apart
+  float nearest(const Place& p, Eigen::Index& found) const {
+    float squared;
+    tree->query(p.data(), 1, &found, &squared);
+    return squared;
+  }
+  float misfit(const Plane& plane, const Places& probes) const {
+    float sum = 0;
+    for (Eigen::Index i = 0; i < probes.cols(); ++i) {
+      const Place p = plane.mirror(probes.col(i));
+      Eigen::Index j = 0;
+      nearest(p, j);
+      const Eigen::Vector3f d = p.head<3>() - all.col(j).head<3>(), n = all.col(j).tail<3>() / kTurned;
+      const float along = n.dot(d), across = std::max(0.f, (d - along * n).norm() - spacing);
+      sum += std::min(kCap, along * along + across * across);
+    }
+    return std::sqrt(sum / static_cast<float>(probes.cols()));
+  }
+  float spacing = 0;  // of the vertices, in units
+
+  // One Gauss-Newton step on the distances from mirrored points to the tangent planes at the points nearest to them
+  // (Chen & Medioni 1992): unlike distances between points they let round parts slide. The worst half in doubt is left
+  // out. @return false once the plane stands still or has lost its way
+  bool fit(Plane& plane) const {
+    const Eigen::Index n = few.cols();
+    std::vector<Eigen::Index> found(n);
+    std::vector<float> cost(n);
+    for (Eigen::Index i = 0; i < n; ++i) cost[i] = nearest(plane.mirror(few.col(i)), found[i]);
+    std::vector<float> sorted = cost;
+    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+    const float limit = 4 * sorted[n / 2] + 1e-6f;
+    const Eigen::Vector3f side = plane.normal.unitOrthogonal(), up = plane.normal.cross(side);
+    Eigen::Matrix3f normal = Eigen::Matrix3f::Zero();
+    Eigen::Vector3f right = Eigen::Vector3f::Zero();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if (cost[i] > limit) continue;
+      const Eigen::Vector3f x = few.col(i).head<3>(), y = all.col(found[i]).head<3>(),
+                            facing = all.col(found[i]).tail<3>() / kTurned;
+      const float depth = plane.normal.dot(x) - plane.offset, along = facing.dot(plane.normal);
+      const float off = facing.dot(x - 2 * depth * plane.normal - y);
+      const Eigen::Vector3f change(-2 * (side.dot(x) * along + depth * facing.dot(side)),
+                                   -2 * (up.dot(x) * along + depth * facing.dot(up)), 2 * along);
+      normal += change * change.transpose();
+      right -= off * change;
+    }
+    normal.diagonal().array() += 1e-4f * normal.trace() / 3;  // what a round shape does not determine stays
+    const Eigen::Vector3f step = normal.ldlt().solve(right);
+    constexpr float kLongest = 0.3f, kStill = 1e-5f;
+    if (!(step.norm() < kLongest)) return false;
+    plane.normal = (plane.normal + step[0] * side + step[1] * up).normalized();
+    plane.offset += step[2];
+    return step.norm() > kStill;
+  }
+  Plane of_points(const MirrorPlane& p) const {
+    return {p.normal.cast<float>(), static_cast<float>((p.offset - p.normal.dot(mean)) / unit), 0};
+  }
+  MirrorPlane of_surface(const Plane& p) const {
+    const Vector normal = p.normal.cast<double>().normalized();
+    return {normal, p.offset * unit + normal.dot(mean), p.misfit};
+  }
+};
+
+MirrorPlanes::MirrorPlanes(const Surface& s, const std::vector<int>& vertices) : impl_(std::make_unique<Impl>()) {
+  Impl& m = *impl_;
+  m.unit = s.unit();
+  m.mean = Vector::Zero();
+  for (int v : vertices) m.mean += Vector(s.point(v)) / static_cast<double>(vertices.size());
+  m.spacing = static_cast<float>(1 / std::sqrt(static_cast<double>(s.vertices())));
+  const auto place = [&](int v) {
+    Vector sum = Vector::Zero();
+    for (int k = s.first_corner[v]; k < s.first_corner[v + 1]; ++k) {
+      const int c = s.corner_at[k];
+      sum += (Vector(s.point(s.triangle[next_corner(c)])) - Vector(s.point(v)))
+                 .cross(Vector(s.point(s.triangle[previous_corner(c)])) - Vector(s.point(v)));
+    }
+    Place out;
+    out << ((Vector(s.point(v)) - m.mean) / m.unit).cast<float>(), kTurned * sum.normalized().cast<float>();
+    return out;
+  };
+  m.all.resize(6, s.vertices());
+  for (int v = 0; v < s.vertices(); ++v) m.all.col(v) = place(v);
+  m.few.resize(6, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) m.few.col(static_cast<Eigen::Index>(i)) = m.all.col(vertices[i]);
+  m.tree = std::make_unique<Tree>(6, std::cref(m.all));
+}
+MirrorPlanes::~MirrorPlanes() = default;
+
+std::vector<MirrorPlane> MirrorPlanes::search(int count) const {
+  constexpr Eigen::Index kTried = 40, kProbes = 50, kFitted = 24;  // vertices, vertices, planes
+  const Impl& m = *impl_;
+  const Eigen::Index tried = std::min(kTried, m.few.cols()), probes = std::min(kProbes, m.few.cols());
+  std::vector<Plane> planes;
+  const Eigen::Matrix3f axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(m.few.topRows<3>() * m.few.topRows<3>().transpose())
+          .eigenvectors();
+  for (int k = 0; k < 3; ++k) planes.push_back({axes.col(k), 0, 0});
+  for (Eigen::Index a = 0; a < tried; ++a)
+    for (Eigen::Index b = 0; b < a; ++b) {
+      const Eigen::Vector3f p = m.few.col(a).head<3>(), q = m.few.col(b).head<3>(), d = p - q;
+      constexpr float kApart = 0.05f;  // units: points nearer to each other say little of a plane between them
+      if (d.norm() > kApart) planes.push_back({d.normalized(), d.normalized().dot(0.5f * (p + q)), 0});
+    }
+  // First against the spaced vertices alone, all at once.
+  for (Plane& plane : planes) {
+    float sum = 0;
+    for (Eigen::Index i = 0; i < probes; ++i)
+      sum += std::min(kCap, (m.few.colwise() - plane.mirror(m.few.col(i))).colwise().squaredNorm().minCoeff());
+    plane.misfit = sum;
+  }
+  planes = distinct(std::move(planes), kFitted);
+  std::vector<Plane> fitted;
+  for (const Plane& plane : planes) fitted.push_back(m.of_points(this->fitted(m.of_surface(plane))));
+  std::vector<MirrorPlane> out;
+  for (std::size_t i = 0; i < fitted.size(); ++i) fitted[i].misfit = m.misfit(fitted[i], m.few);
+  for (const Plane& plane : distinct(std::move(fitted), static_cast<std::size_t>(count)))
+    out.push_back(m.of_surface(plane));
+  return out;
+}
+
+MirrorPlane MirrorPlanes::between(const std::vector<Vector>& points, const std::vector<Vector>& partners) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Vector middle = Vector::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector d = points[i] - partners[i];
+    spread += d * d.transpose();
+    middle += 0.5 * (points[i] + partners[i]) / static_cast<double>(points.size());
+  }
+  const Vector normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  return {normal, normal.dot(middle), 1};
+}
+
+MirrorPlane MirrorPlanes::fitted(MirrorPlane plane) const {
+  constexpr int kSteps = 12;
+  const Impl& m = *impl_;
+  Plane p = m.of_points(plane);
+  for (int step = 0; step < kSteps && m.fit(p); ++step) {
+  }
+  p.misfit = m.misfit(p, m.few);
+  return m.of_surface(p);
+}
+
+std::vector<int> MirrorPlanes::map(const MirrorPlane& plane, int samples) const {
+  const Plane p = impl_->of_points(plane);
+  std::vector<int> out(samples);
+  for (int i = 0; i < samples; ++i)
+    (impl_->few.colwise() - p.mirror(impl_->few.col(i))).colwise().squaredNorm().minCoeff(&out[i]);
+  return out;
+}
+
+}  // namespace ga_symmetry

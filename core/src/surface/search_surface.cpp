@@ -1,0 +1,187 @@
+#include "surface/search_surface.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <nanoflann.hpp>
+#include <set>
+#include <utility>
+
+#include "ga_symmetry/errors.h"
+#include "surface/locate.h"
+#include "surface/refine.h"
+#include "surface/simplify.h"
+#include "surface/welded_mesh.h"
+#include "surface/wrap.h"
+
+namespace ga_symmetry {
+namespace {
+
+using Vector = Eigen::Vector3d;
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+constexpr double kWorthSimplifying = 1.3;  // times the wanted vertices
+// Fewer vertices hardly resolve fingers and ears; a surface of fewer is refined.
+constexpr int kEnough = 2000;
+
+double face_area(const Surface& s, std::size_t f) {
+  const Vector a(s.point(s.triangle[3 * f]));
+  return 0.5 * (Vector(s.point(s.triangle[3 * f + 1])) - a).cross(Vector(s.point(s.triangle[3 * f + 2])) - a).norm();
+}
+
+double longest_edge(const Surface& s) {
+  double longest = 0;
+  for (int c = 0; c < 3 * s.triangles(); ++c)
+    longest = std::max(longest, s.edge_length(s.triangle[c], s.triangle[next_corner(c)]));
+  return longest;
+}
+
+// The faces of one part alone.
+Surface part_of(const Surface& mesh, const std::vector<int>& part, int wanted, const Context& context) {
+  std::vector<double> position;
+  std::vector<int> triangle, index(mesh.vertices(), -1);
+  for (std::size_t c = 0; c < mesh.triangle.size(); ++c) {
+    const int v = mesh.triangle[c];
+    if (part[v] != wanted) continue;
+    if (index[v] < 0) {
+      index[v] = static_cast<int>(position.size() / 3);
+      position.insert(position.end(), mesh.point(v), mesh.point(v) + 3);
+    }
+    triangle.push_back(index[v]);
+  }
+  return surface_of(std::move(position), std::move(triangle), context);
+}
+
+double diagonal_of(const Surface& mesh) {
+  Vector low = Vector::Constant(INFINITY), high = -low;
+  for (const int v : mesh.triangle)
+    low = low.cwiseMin(Vector(mesh.point(v))), high = high.cwiseMax(Vector(mesh.point(v)));
+  return (high - low).norm();
+}
+
+// Share of the mesh's vertices that lie far from a part, as the crow flies.
+double share_beyond(const Surface& mesh, const std::vector<int>& part, int wanted, const Surface& lead, double far) {
+  std::vector<double> position = lead.position;
+  std::vector<int> triangle = lead.triangle;
+  split_long_edges(position, triangle, far);
+  const Eigen::Map<const Points> points(position.data(), static_cast<Eigen::Index>(position.size() / 3), 3);
+  const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(points));
+  int beyond = 0;
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    if (part[v] < 0 || part[v] == wanted) continue;
+    Eigen::Index nearest;
+    double squared;
+    tree.query(mesh.point(v), 1, &nearest, &squared);
+    beyond += squared > far * far;
+  }
+  return static_cast<double>(beyond) / mesh.vertices();
+}
+
+}  // namespace
+
+SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Context& context)
+    : mesh_(std::move(of_mesh)), done_(mesh_.notes) {
+  const std::vector<int> part = face_parts(mesh_.triangle, mesh_.vertices(), parts_);
+  part_.assign(mesh_.vertices(), -1);
+  for (std::size_t c = 0; c < mesh_.triangle.size(); ++c) part_[mesh_.triangle[c]] = part[c / 3];
+  if (options.method == Method::pairs && parts_ == 1) {
+    direct_ = true;
+    return;
+  }
+  // Without simplifying, a mesh in parts is still wrapped to a surface of the usual size.
+  const int vertices = options.proxy > 0 ? options.proxy : std::max(3000, parts_ == 1 ? mesh_.vertices() : 0);
+  if (!lead(vertices, context.part(0, 0.8))) wrap_all(vertices, context.part(0, 0.8));
+  if (!direct_) place_ = ga_symmetry::locate(mesh_, searched_, options.threads);
+}
+
+// The mesh's only part, or the one that leads. @return false where there is none that would do
+bool SearchSurface::lead(int vertices, const Context& context) {
+  // A part leads by its share of the area, if few of the other vertices are farther off than a share of the diagonal.
+  constexpr double kLeading = 0.5, kFar = 0.04, kFew = 0.02;
+  // Time grows with the square of the faces around a vertex.
+  constexpr int kMostFacesAround = 2000;
+  // Fronts run badly over faces far longer than what the search resolves: CAD, low-poly.
+  constexpr double kTooLong = 6, kSplit = 1.6;
+  Surface s;
+  if (parts_ > 1) {
+    std::vector<double> area(parts_, 0.0);
+    for (std::size_t f = 0; f < mesh_.triangle.size() / 3; ++f)
+      area[part_[mesh_.triangle[3 * f]]] += face_area(mesh_, f);
+    const int largest = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
+    if (area[largest] < kLeading * mesh_.area) return false;
+    s = part_of(mesh_, part_, largest, context);
+    if (!s.orientable) return false;
+    if (share_beyond(mesh_, part_, largest, s, kFar * diagonal_of(mesh_)) > kFew) return false;
+  }
+  const Surface* surface = parts_ > 1 ? &s : &mesh_;
+  for (int v = 0; v < surface->vertices(); ++v)
+    if (surface->first_corner[v + 1] - surface->first_corner[v] > kMostFacesAround) return false;
+  const double fine = std::sqrt(surface->area / std::clamp(surface->vertices(), kEnough, std::max(kEnough, vertices)));
+  if (surface->vertices() < kEnough || longest_edge(*surface) > kTooLong * fine) {
+    std::vector<double> position = surface->position;
+    std::vector<int> triangle = surface->triangle;
+    split_long_edges(position, triangle, kSplit * fine);
+    s = surface_of(std::move(position), std::move(triangle), context);
+    surface = &s;
+    done_.push_back("refined to " + std::to_string(s.vertices()) + " vertices");
+  }
+  if (surface->vertices() > kWorthSimplifying * vertices) {
+    s = simplified(*surface, vertices, context);
+    surface = &s;
+    // Defects may leave nothing that can be taken away, and a search on all of it would take minutes.
+    if (s.vertices() > 2 * vertices) return false;
+  }
+  if (parts_ > 1) done_.push_back("the largest of " + std::to_string(parts_) + " parts leads the others");
+  direct_ = surface == &mesh_;
+  if (!direct_) searched_ = std::move(s);
+  return true;
+}
+
+void SearchSurface::wrap_all(int vertices, const Context& context) {
+  // Spacing of the grid over the distance of the wanted vertices, so that simplifying has something to choose from.
+  constexpr double kFiner = 0.6;
+  constexpr double kFinest = 1.0 / 250, kCoarsest = 1.0 / 70;  // of the diagonal
+  const double diagonal = diagonal_of(mesh_);
+  const double spacing =
+      std::clamp(kFiner * std::sqrt(mesh_.area / vertices), kFinest * diagonal, kCoarsest * diagonal);
+  Wrap w = wrap(mesh_.position, mesh_.triangle, spacing, context.part(0, 0.6));
+  Surface s = surface_of(std::move(w.mesh.position), std::move(w.mesh.triangle), context);
+  searched_ =
+      s.vertices() > kWorthSimplifying * vertices ? simplified(s, vertices, context.part(0.6, 1)) : std::move(s);
+  std::string text = parts_ == 1 ? "wrapped" : "wrapped " + std::to_string(parts_) + " parts in one surface";
+  if (w.bridged) text += " over " + std::to_string(w.bridged) + (w.bridged == 1 ? " gap" : " gaps");
+  done_.push_back(text);
+}
+
+std::string SearchSurface::summary() const {
+  std::string out;
+  for (const std::string& note : done_) out += (out.empty() ? "" : ", ") + note;
+  return out;
+}
+
+SurfaceReferences SearchSurface::locate(const References& references) const {
+  std::set<int> used;
+  const auto find = [&](int v) {
+    if (v < 0 || v >= mesh_.mesh_vertices)
+      throw InvalidOption("reference vertex " + std::to_string(v) + " does not exist: the mesh has vertices 0 to " +
+                          std::to_string(mesh_.mesh_vertices - 1));
+    const int at = mesh_.surface_vertex[v];
+    if (at < 0)
+      throw InvalidOption("reference vertex " + std::to_string(v) +
+                          " is not on the surface that is worked on: choose a vertex of its faces");
+    if (!used.insert(at).second)
+      throw InvalidOption("reference vertex " + std::to_string(v) + " is given twice: choose different vertices");
+    if (direct_) return at;
+    const SurfacePoint& p = place_[at];
+    return p.vertex[std::max_element(p.weight.begin(), p.weight.end()) - p.weight.begin()];
+  };
+  SurfaceReferences out;
+  for (const int a : references.axis) out.axis.push_back(find(a));
+  for (const auto& [l, r] : references.pairs) {
+    const int left = find(l);
+    out.pairs.push_back({left, find(r)});
+  }
+  return out;
+}
+
+}  // namespace ga_symmetry
