@@ -11,7 +11,7 @@
 #include "matching/ranking.h"
 #include "search/joint.h"
 #include "spheres.h"
-#include "surface/proxy.h"
+#include "surface/simplify.h"
 
 namespace {
 
@@ -35,7 +35,7 @@ BENCHMARK(distance_field)->Arg(24)->Arg(35)->Arg(100)->Unit(benchmark::kMillisec
 
 void simplification(benchmark::State& state) {
   const Surface surface = sphere(static_cast<int>(state.range(0)));
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(make_proxy(surface, 6000));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(simplified(surface, 6000));
   state.counters["vertices"] = surface.vertices();
 }
 BENCHMARK(simplification)->Arg(35)->Arg(100)->Unit(benchmark::kMillisecond);

@@ -71,6 +71,7 @@ void log_summary(const Result& result, const FilterRun& run) {
   for (const auto& p : result.pair_references)
     used += (used.empty() ? "" : ",") + std::to_string(p[0]) + ":" + std::to_string(p[1]);
   run.log("References: " + (used.empty() ? std::string("none") : used));
+  if (!result.surface.empty()) run.log("Surface: " + result.surface);
   run.log("Found: " + std::string(to_string(result.kind)) + ", " + std::to_string(result.matched) + " of " +
           std::to_string(result.partners.partner.size()) + " vertices matched, " + std::to_string(result.pairs.size()) +
           " pairs of samples, mean fitness " + text("%.4g", result.mean_fitness) + ", confidence " +

@@ -230,18 +230,19 @@ void expect_sound(const TriangleMesh& mesh, const Result& r) {
   const int n = mesh.vertices();
   std::vector<bool> used(n, false);
   for (const int v : mesh.triangle) used[v] = true;
-  ASSERT_EQ(r.partner.size(), static_cast<std::size_t>(n));
-  ASSERT_EQ(r.fitness.size(), static_cast<std::size_t>(n));
-  ASSERT_EQ(r.side.size(), static_cast<std::size_t>(n));
+  ASSERT_EQ(r.partners.partner.size(), static_cast<std::size_t>(n));
+  ASSERT_EQ(r.partners.fitness.size(), static_cast<std::size_t>(n));
+  ASSERT_EQ(r.partners.side.size(), static_cast<std::size_t>(n));
   ASSERT_EQ(r.partner_point.size(), static_cast<std::size_t>(n));
   int matched = 0;
   for (int v = 0; v < n; ++v) {
-    ASSERT_TRUE(r.partner[v] >= -1 && r.partner[v] < n) << v;
-    ASSERT_TRUE(r.fitness[v] >= 0 && std::isfinite(r.fitness[v])) << v << ": " << r.fitness[v];
-    ASSERT_LE(std::abs(r.side[v]), 1) << v;
-    if (r.partner[v] < 0) continue;
+    ASSERT_TRUE(r.partners.partner[v] >= -1 && r.partners.partner[v] < n) << v;
+    ASSERT_TRUE(r.partners.fitness[v] >= 0 && std::isfinite(r.partners.fitness[v]))
+        << v << ": " << r.partners.fitness[v];
+    ASSERT_LE(std::abs(r.partners.side[v]), 1) << v;
+    if (r.partners.partner[v] < 0) continue;
     ++matched;
-    ASSERT_TRUE(used[v] && used[r.partner[v]]) << v;
+    ASSERT_TRUE(used[v] && used[r.partners.partner[v]]) << v;
     expect_point(r.partner_point[v], n);
     if (testing::Test::HasFatalFailure()) return;
   }

@@ -76,7 +76,7 @@ TEST_P(SampleMeshes, IsOneOrientedSurfaceThroughTheDoor) {
   EXPECT_EQ(s.surface.vertices(), s.mesh.vertices());
   EXPECT_TRUE(s.surface.orientable);
   EXPECT_EQ(s.surface.closed, !open(GetParam()));
-  EXPECT_EQ(s.surface.triangle, s.mesh.triangle) << "faces were turned or left out: " << s.surface.warnings.size();
+  EXPECT_EQ(s.surface.triangle, s.mesh.triangle) << "faces were turned or left out: " << s.surface.notes.size();
   double volume = 0;  // of the cones from a point amid the vertices
   double centre[3] = {0, 0, 0};
   for (int v = 0; v < s.surface.vertices(); ++v)

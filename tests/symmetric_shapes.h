@@ -20,9 +20,9 @@ TriangleMesh grid(int columns, int rows);
 /// A mesh with one symmetry, and its truth.
 struct Symmetric {
   TriangleMesh mesh;
-  std::vector<int> partner;  ///< per vertex: its true partner; itself on the axis
-  std::array<int, 2> axis;   ///< two vertices on the axis, far apart
-  std::array<int, 2> pair;   ///< left and right, far from the axis
+  std::vector<int> partner;   ///< per vertex: its true partner; itself on the axis
+  std::array<int, 2> axis{};  ///< two vertices on the axis, far apart
+  std::array<int, 2> pair{};  ///< left and right, far from the axis
 };
 
 /// A body with a head, a tail, two arms and two legs: a sphere with bumps, mirrored vertex by vertex in x. Nothing else

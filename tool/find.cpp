@@ -56,6 +56,7 @@ std::string join(const References& references) {
 void print_summary(const Result& r) {
   std::printf("symmetry      %s of order %d, %zu found, confidence %.2f\n", to_string(r.kind), r.order,
               r.symmetries.size(), r.confidence);
+  if (!r.surface.empty()) std::printf("surface       %s\n", r.surface.c_str());
   std::printf("references    %s\n", join({r.axis_references, r.pair_references}).c_str());
   std::printf("pairs         %zu\n", r.pairs.size());
   std::printf("matched       %d of %zu vertices\n", r.matched, r.partners.partner.size());
@@ -83,6 +84,7 @@ void print_summary_json(const Result& r) {
                               {"mean_fitness", r.mean_fitness},
                               {"generations", r.log.size()},
                               {"stop", to_string(r.stop)},
+                              {"surface", r.surface},
                               {"warnings", r.warnings}};
   for (const StageTime& s : r.seconds) json["seconds"][s.stage] = s.seconds;
   std::printf("%s\n", json.dump(2).c_str());

@@ -1,6 +1,7 @@
 #include "surface_result.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace ga_symmetry {
@@ -46,7 +47,18 @@ Result to_mesh(SurfaceResult found, std::vector<std::vector<SurfacePoint>> axis,
       out.pairs.push_back({surface.mesh_vertex[pair.vertex], surface.mesh_vertex[pair.partner], pair.fitness});
   out.order = found.order;
   out.symmetries = std::move(found.symmetries);
-  out.confidence = found.confidence;
+  // A map onto few vertices, or of few, is none, however well those agree.
+  constexpr double kSpread = 0.25, kCollapsed = 0.1;  // distinct partners over vertices: sound maps have 0.4 and more
+  std::vector<int> distinct = found.partner;
+  distinct.erase(std::remove(distinct.begin(), distinct.end(), -1), distinct.end());
+  const auto with_partner = static_cast<double>(distinct.size());
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  const double spread = with_partner > 0 ? static_cast<double>(distinct.size()) / with_partner : 0;
+  out.confidence = found.confidence * std::min(1.0, spread / kSpread) * with_partner / surface.vertices();
+  if (spread < kCollapsed)
+    found.warnings.push_back("the map has collapsed: " + std::to_string(distinct.size()) +
+                             " vertices are the partners of all others; do not rely on it");
   out.log = std::move(found.log);
   out.stop = found.stop;
   out.warnings = std::move(found.warnings);

@@ -54,7 +54,7 @@ TEST(SurfaceVertices, AreTheInverseOfMeshVertex) {
   mesh.position.insert(mesh.position.begin(), {7, 7, 7});  // used by no face
   for (int& v : mesh.triangle) ++v;
   const Surface s = make_surface(mesh, true);
-  const std::vector<int> of = surface_vertices(s);
+  const std::vector<int>& of = s.surface_vertex;
   ASSERT_EQ(static_cast<int>(of.size()), mesh.vertices());
   for (int v = 0; v < s.vertices(); ++v) EXPECT_EQ(of[s.mesh_vertex[v]], v);
   EXPECT_EQ(std::count(of.begin(), of.end(), -1), mesh.vertices() - s.vertices());

@@ -139,6 +139,7 @@ std::string to_json(const TriangleMesh& mesh, const Result& result, const Contex
   json["confidence"] = result.confidence;
   json["axis_references"] = result.axis_references;
   json["pair_references"] = result.pair_references;
+  json["surface"] = result.surface;
   json["warnings"] = result.warnings;
   json["symmetries"] = Json::array();
   for (const FoundSymmetry& s : result.symmetries)
