@@ -104,11 +104,13 @@ TEST(DenseMap, FacesTurnedOverChangeNothingAtABorder) {
     maps.push_back(
         make_dense_map({s.surface, s.solver, s.shortcuts, none, m.landmarks, 0, true}, s.truth(m.landmarks), true, 1));
   }
-  int differ = 0;
-  for (std::size_t v = 0; v < maps[0].partner.size(); ++v) differ += maps[0].partner[v] != maps[1].partner[v];
+  int differ = 0, otherwise_sure = 0;
+  for (std::size_t v = 0; v < maps[0].partner.size(); ++v) {
+    differ += maps[0].partner[v] != maps[1].partner[v];
+    otherwise_sure += std::abs(maps[0].uncertainty[v] - maps[1].uncertainty[v]) > 1e-3f * maps[0].uncertainty[v];
+  }
   EXPECT_EQ(differ, 0);
-  for (std::size_t v = 0; v < maps[0].partner.size(); ++v)
-    EXPECT_NEAR(maps[0].uncertainty[v], maps[1].uncertainty[v], 1e-3 * (maps[0].uncertainty[v] + 1e-3)) << v;
+  EXPECT_EQ(otherwise_sure, 0);
 }
 
 TEST(DenseMap, ThreadsChangeNothing) {

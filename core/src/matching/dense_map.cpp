@@ -6,6 +6,7 @@
 
 #include "ga_symmetry/errors.h"
 #include "matching/matcher.h"
+#include "surface/neighbors.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -46,10 +47,10 @@ void match(const Matching& m, const Images& images, const Features& features, De
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
     const Context part = context.part(0.6 + 0.2 * pass, 0.8 + 0.2 * pass);
     for_each_vertex(surface, features, kFine, threads, part, [&](int v, Matcher& matcher) {
-      for (int i = surface.first_corner[v]; i < surface.first_corner[v + 1]; ++i) {
-        const int start = before[surface.triangle[next_corner(surface.corner_at[i])]];
+      for_each_neighbor(surface, v, [&](int w) {
+        const int start = before[w];
         if (start != map.partner[v] && matcher.error(start) < 4 * map.residual[v]) try_from(matcher, v, start);
-      }
+      });
     });
   }
 }
@@ -74,9 +75,9 @@ std::vector<float> smooth_differences(const Surface& surface, const Features& fe
       for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
         auto mean = row(next, v);
         mean = row(now, v);
-        const int first = surface.first_corner[v], last = surface.first_corner[v + 1];
-        for (int i = first; i < last; ++i) mean += row(now, surface.triangle[next_corner(surface.corner_at[i])]);
-        mean /= static_cast<float>(last - first + 1);
+        int count = 1;
+        for_each_neighbor(surface, v, [&](int w) { mean += row(now, w), ++count; });
+        mean /= static_cast<float>(count);
       }
     });
     now.swap(next);
@@ -166,6 +167,8 @@ DenseMap make_dense_map(const Matching& m, const Images& images, bool noise_filt
       map.partner[v] = matcher.descend(map.partner[v], error);
     }
     map.point[v] = on_face(m.surface, features, matcher, map.partner[v]);
+    matcher.look_at(v);
+    map.residual[v] = matcher.error(map.partner[v]);
     map.uncertainty[v] =
         static_cast<float>(position_uncertainty(m.surface, features, matcher, map.partner[v], map.residual[v]));
   });
