@@ -230,8 +230,8 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
                             ? find_by_pairs(search.searched(), references, options, context, clock)
                             : find_jointly(search.searched(), references, options,
                                            search.direct() ? context : context.part(0.3, 0.8), clock);
-  // On the searched surface, which is in one piece.
-  if (!found.left_right.empty()) connect_sides(search.searched(), found.left_right);
+  // Of a mesh in parts this is the only surface in one piece.
+  if (search.parts() > 1 && !found.left_right.empty()) connect_sides(search.searched(), found.left_right);
   if (!search.direct()) {
     context.report(0.8, "all vertices");
     found = prolongate(std::move(found), search, options.symmetry == SymmetryKind::reflection, options.threads,
@@ -241,7 +241,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
 
   context.report(0.95, "axis");
   Division division;
-  if (!found.left_right.empty()) division = divide(search.of_mesh(), found.left_right);
+  if (!found.left_right.empty()) division = divide(search.of_mesh(), found.left_right, found.partner);
   if (found.side.empty()) found.side = std::move(division.side);
   found.side.resize(search.of_mesh().vertices(), 0);  // a rotation has no sides
   clock.stage_done("axis");

@@ -12,7 +12,11 @@ struct Division {
   std::vector<std::vector<SurfacePoint>> axis;  ///< polylines on the faces, longest first; closed ones repeat a point
 };
 
-/// @param left_right  per vertex, > 0 nearer to the left, as connect_sides leaves it
-Division divide(const Surface& surface, const std::vector<float>& left_right);
+/// Partners are on opposite sides: of the left-right function the part counts that the symmetry turns into its
+/// negative. Where the sides of a shape differ, the middle of its distances is not the axis. Each side is one piece
+/// where that can be (connect_sides); the axis is between them.
+/// @param left_right  per vertex, > 0 nearer to the left
+/// @param partner     per vertex, -1 = none
+Division divide(const Surface& surface, const std::vector<float>& left_right, const std::vector<int>& partner);
 
 }  // namespace ga_symmetry

@@ -6,14 +6,11 @@
 #include "ga_symmetry/errors.h"
 #include "geodesics/sampling.h"
 #include "partners/partnered_surface.h"
-#include "surface/neighbors.h"
-#include "surface/welded_mesh.h"
 
 namespace ga_symmetry {
 namespace {
 
 constexpr int kLandmarks = 100;  // pairs whose distances place the axis
-constexpr int kSmoothing = 10;   // rounds
 
 // Surface vertices, as spread_pairs says.
 std::vector<int> spread_vertices(const PartneredSurface& shape, const GeodesicSolver& solver, int count,
@@ -24,25 +21,6 @@ std::vector<int> spread_vertices(const PartneredSurface& shape, const GeodesicSo
     if (p.partner[v] >= 0 && p.partner[v] != v && (!shape.has_sides || (p.side[v] > 0 && p.side[p.partner[v]] <= 0)))
       allowed.push_back(v);
   return farthest_points(shape.surface, solver, allowed, count, context);
-}
-
-// What of the function the symmetry turns into its negative: where the sides of a shape differ, the middle of its
-// distances is not the axis. Partners are vertices, hence the smoothing.
-std::vector<float> antisymmetric(const PartneredSurface& shape, const std::vector<float>& function) {
-  const Surface& surface = shape.surface;
-  std::vector<float> out = function;
-  for (int v = 0; v < surface.vertices(); ++v)
-    if (const int w = shape.partners.partner[v]; w >= 0) out[v] = 0.5f * (function[v] - function[w]);
-  for (int round = 0; round < kSmoothing; ++round) {
-    const std::vector<float> before = out;
-    for (int v = 0; v < surface.vertices(); ++v) {
-      float sum = 0;
-      int count = 0;
-      for_each_neighbor(surface, v, [&](int w) { sum += before[w], ++count; });
-      out[v] = 0.5f * (before[v] + sum / static_cast<float>(count));
-    }
-  }
-  return out;
 }
 
 }  // namespace
@@ -68,11 +46,7 @@ std::vector<std::vector<SurfacePoint>> axis_lines(const TriangleMesh& mesh, cons
   for (const int v : left.vertex) right.vertex.push_back(shape.partners.partner[v]);
   left.field = solver.fields(left.vertex, threads, context);
   right.field = solver.fields(right.vertex, threads, context);
-  std::vector<float> function = antisymmetric(shape, left_right_function(shape.surface, left, right, 0));
-  int parts = 0;
-  face_parts(shape.surface.triangle, shape.surface.vertices(), parts);
-  if (parts == 1) connect_sides(shape.surface, function);  // of several, many have one sign only, as they should
-  auto lines = divide(shape.surface, function).axis;
+  auto lines = divide(shape.surface, left_right_function(shape.surface, left, right, 0), shape.partners.partner).axis;
   for (auto& line : lines)
     for (SurfacePoint& point : line)
       for (int& v : point.vertex) v = shape.surface.mesh_vertex[v];
