@@ -200,12 +200,15 @@ TriangleMesh turned_faces(TriangleMesh mesh) {
 
 constexpr const char* kResult = "";  // what is said: nothing
 
+enum class Lacks { nothing, rotation, both };  // which kind of symmetry the shape does not have
+
 struct Opened {
   std::string name;
   std::function<TriangleMesh()> make;
   std::string refused;      // what the refusal says, or kResult
   std::string warned = "";  // what a warning says, if there is to be one
   bool largest = false;     // the option largest_component
+  Lacks lacks = Lacks::nothing;
 };
 void PrintTo(const Opened& o, std::ostream* out) { *out << o.name; }
 
@@ -291,6 +294,7 @@ class AnyMesh : public testing::TestWithParam<Opened> {
     o.proxy = 1000;
     return o;
   }
+  // "No symmetry found" is an answer only where the shape has none of that kind.
   void expect_outcome(const Options& options) const {
     try {
       const Result result = find_symmetry(mesh_, options);
@@ -303,8 +307,12 @@ class AnyMesh : public testing::TestWithParam<Opened> {
             << "no warning says: " << GetParam().warned;
       }
     } catch (const InvalidMesh& error) {
-      // That is an answer, too, on a shape that has none.
-      if (std::string(error.what()).find("no symmetry found: give") == 0) return;
+      if (std::string(error.what()).find("no symmetry found: give") == 0) {
+        EXPECT_TRUE(GetParam().lacks == Lacks::both ||
+                    (GetParam().lacks == Lacks::rotation && options.symmetry == SymmetryKind::rotation))
+            << error.what();
+        return;
+      }
       ASSERT_NE(GetParam().refused, kResult) << error.what();
       expect_one_line(error.what());
       EXPECT_NE(std::string(error.what()).find(GetParam().refused), std::string::npos) << error.what();
@@ -411,7 +419,8 @@ INSTANTIATE_TEST_SUITE_P(
         Opened{"largest_of_many_components", [] { return crumbs(1000); }, kResult, "largest of 1001", true},
         Opened{"unused_vertices", [] { return with_unused(creature(), 1); }, kResult, "left out 100 points"},
         Opened{"moebius_strip", [] { return shapes::moebius_strip(); }, kResult, "one side"},
-        Opened{"klein_bottle", klein_bottle, kResult, "one side"},
+        // It has a half turn; but so few samples do not tell it from the identity, as there is no orientation.
+        Opened{"klein_bottle", klein_bottle, kResult, "one side", false, Lacks::both},
         // Worked on.
         Opened{"twenty_vertices", [] { return shapes::globe(3, 6, [](double&, double&, double&) {}); }, kResult},
         Opened{"inconsistent_orientation", [] { return turned_faces(creature()); }, kResult},
@@ -428,7 +437,7 @@ INSTANTIATE_TEST_SUITE_P(
                },
                kResult},
         Opened{"many_holes", [] { return without_faces(shapes::creature(4).mesh, [](int f) { return f % 7 == 3; }); },
-               kResult},
+               kResult, "", false, Lacks::rotation},
         Opened{"flat_with_border", [] { return shapes::grid(30, 20); }, kResult},
         Opened{"strip_of_single_faces", [] { return shapes::grid(2, 60); }, kResult},
         Opened{"non_manifold_vertex", two_at_a_vertex, kResult},
@@ -442,7 +451,9 @@ INSTANTIATE_TEST_SUITE_P(
                  return mesh;
                },
                kResult},
-        Opened{"spike", [] { return spiked(1e3); }, kResult}, Opened{"long_spike", [] { return spiked(1e6); }, kResult},
+        // All but a needle.
+        Opened{"spike", [] { return spiked(1e3); }, kResult, "", false, Lacks::both},
+        Opened{"long_spike", [] { return spiked(1e6); }, kResult, "", false, Lacks::both},
         Opened{"tiny", [] { return shapes::scaled(creature(), 1e-30); }, kResult},
         Opened{"huge", [] { return shapes::scaled(creature(), 1e30); }, kResult},
         Opened{"smallest", [] { return shapes::scaled(creature(), 1e-290); }, kResult},
