@@ -41,7 +41,12 @@ bool closed(const std::vector<SurfacePoint>& line) {
 TEST(ZeroSet, AGreatCircleOfASphere) {
   const Surface s = make_surface(shapes::icosphere(4));
   // Oblique, so that no vertex is on it. Interpolated linearly over faces the plane is met exactly.
-  const auto plane = [&](const double* p) { return 0.6 * p[0] - 0.35 * p[1] + 0.72 * p[2] - 0.013 * s.unit(); };
+  std::array<double, 3> centre{};
+  for (int v = 0; v < s.vertices(); ++v)
+    for (int k = 0; k < 3; ++k) centre[k] += s.point(v)[k] / s.vertices();
+  const auto plane = [&](const double* p) {
+    return 0.6 * (p[0] - centre[0]) - 0.35 * (p[1] - centre[1]) + 0.72 * (p[2] - centre[2]) - 0.003 * s.unit();
+  };
   const Lines lines = zero_set(s, values(s, plane), 0);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(closed(lines[0]));

@@ -37,7 +37,7 @@ TEST(VertexFitness, IsWorseWhereTheMapIsWrong) {
   const MatchingScene& s = m.scene;
   const DistanceFields arm = s.solver.fields({s.shape.pair[0]}, 1);
   DenseMap wrong = m.truth;
-  const float near = static_cast<float>(0.3 * s.surface.unit()), far = static_cast<float>(0.8 * s.surface.unit());
+  const float near = static_cast<float>(0.3 * s.surface.unit()), far = static_cast<float>(0.6 * s.surface.unit());
   for (int v = 0; v < s.surface.vertices(); ++v)
     if (arm(0, v) < near)
       for (int step = 0; step < 6; ++step) {

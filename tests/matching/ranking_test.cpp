@@ -113,7 +113,7 @@ TEST(RankMaps, ThreadsChangeNothing) {
 // A torus turned about its axis by a third, a quarter, and an angle that never comes back.
 TEST(RankMaps, RotationsKnowTheirOrder) {
   constexpr int kAround = 48, kAlong = 16;
-  shapes::Symmetric torus;
+  shapes::Symmetric torus{};
   torus.mesh = shapes::torus(kAround, kAlong);
   const Scene s(torus);
   const auto turned = [&](int steps) {

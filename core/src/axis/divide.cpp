@@ -21,7 +21,7 @@ std::vector<float> antisymmetric(const Surface& surface, const std::vector<float
       float sum = 0;
       int count = 0;
       for_each_neighbor(surface, v, [&](int w) { sum += before[w], ++count; });
-      out[v] = 0.5f * (before[v] + sum / static_cast<float>(count));
+      if (count > 0) out[v] = 0.5f * (before[v] + sum / static_cast<float>(count));
     }
   }
   return out;
