@@ -1,8 +1,11 @@
 // The steps from a mesh to its result, in order, and nothing else: docs/algorithm.md walks the same way.
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "axis/divide.h"
 #include "axis/sides.h"
@@ -41,7 +44,8 @@ const char* to_string(StopReason reason) {
 
 namespace {
 
-constexpr int kNeighbors = 8;  // samples that count as near for orientation and continuity: about two rings of six
+// Samples that count as near for orientation and continuity: of evenly spaced ones the ring around, and a few beyond.
+constexpr int kNeighbors = 8;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
 constexpr double kDoubtful = 0.2;  // confidence below which the user is told to look

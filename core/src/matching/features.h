@@ -21,8 +21,8 @@ struct Features {
 /// For a reflection, which takes images to landmarks, too, both distances count in both directions.
 /// Where there are shortcuts, distances are in the middle of what they may be.
 Features make_features(const Matching& matching, const Images& images, int threads);
-/// The same as if nothing of the surface were missing: where a partner is looked for near by, all distances have the
-/// same detour, and slack would only blur them.
+/// The same as if nothing of the surface were missing: among places near to each other all distances to a landmark have
+/// nearly the same detour, and slack would only blur which is best.
 Features make_tight_features(const Matching& matching, const Images& images, int threads);
 
 }  // namespace ga_symmetry
