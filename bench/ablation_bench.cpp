@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ablation_bench FOLDER [SEED]: what every term, operator and stage of the joint search is worth. Each is switched off
 // in turn; over all meshes of the folder with a known symmetry (see dataset.h) the means are printed as a Markdown
 // table.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One distance field: ours beside vcg::tri::Geodesic, on the same meshes, in turn, on one thread. Prints the median CPU
 // time of each, their ratio, and the errors against great circles on the unit sphere.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The hot paths alone, each on spheres of some sizes, one thread; see geodesics_bench for accuracy and scaling_bench
 // for the whole.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole search on ever larger meshes, each the one before with every face cut in four, beside a yardstick that is
 // measured in the same run: 100 distance fields of vcg::tri::Geodesic on that mesh, one thread (from the median of 5).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Triangulated unit spheres, on which every geodesic is a great circle.
 #pragma once
 #include <array>

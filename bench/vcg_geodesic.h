@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The named baseline: vcglib's own geodesic distance.
 #pragma once
 // In this order: the other headers of vcglib need the first.

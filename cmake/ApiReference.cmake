@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The API reference: `cmake --build BUILD --target docs`, then BUILD/docs/html/index.html. All public entities have to be
 # documented.
 find_package(Doxygen QUIET)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds what a MeshLab plugin needs: the headers of the source tree that matches the MeshLab in use, its common library,
 # and Qt 5. Target: MeshLab::common. Variables: MeshLab_GENERATION (2020, 2022 or 2023), MeshLab_PLUGIN_SUBDIR (where
 # this MeshLab looks for plugins below its prefix), MeshLab_VERSION, MeshLab_REASON (what is missing and how to get it).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds vcglib: in -DVCGLIB_DIR=, in MeshLab's source tree, or installed.
 # Target: VCGLib::VCGLib (headers). Whatever reads or writes PLY files compiles ${VCGLib_INCLUDE_DIR}/wrap/ply/plylib.cpp.
 include(MeshLabSource)

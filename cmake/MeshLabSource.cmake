@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # MESHLAB_SOURCE_DIR: the source tree of the MeshLab to build for (a release's tree with its vcglib, or Debian's
 # unpacked source package). Default: what scripts/get_meshlab_source has fetched.
 # Sets GA_SYMMETRY_MESHLAB_SOURCE, empty where there is none.

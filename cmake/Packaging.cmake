@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What `cmake --install` lays down, the CMake package of the core, and the Debian package.
 include(CMakePackageConfigHelpers)
 include(ReleaseDate)

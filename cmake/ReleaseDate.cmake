@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # release_date(OUT VERSION CHANGELOG FORMAT): the date of the Debian changelog, the same for every build of the same
 # sources. The first of these that is there:
 #   - SOURCE_DATE_EPOCH of the environment, as reproducible builds set it

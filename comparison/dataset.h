@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Known symmetries of public data sets, in the layouts in which they come.
 #pragma once
 #include <string>

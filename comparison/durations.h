@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How long the paper's genetic algorithm and its rivals take to find pairs of samples: the paper's table 1 and
 // figure 2.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Methods on meshes whose symmetry is known: what is measured, and the figures.
 #pragma once
 #include <cstdint>

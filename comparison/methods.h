@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every method of the comparison behind one call: a mesh in, partners out.
 #pragma once
 #include <cstdint>

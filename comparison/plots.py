@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plots of a comparison, drawn from the files that `ga_symmetry compare` wrote. Needs matplotlib."""
 import colorsys
 import io

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a comparison: CSV and JSON files of every figure, and a page with tables and plots.
 #pragma once
 #include <string>

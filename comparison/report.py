@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes report.html of the files that `ga_symmetry compare` wrote.
 
 report.py FOLDER

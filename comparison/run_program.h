@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Other programs as a part of the work.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of a comparison, computed from the CSV files that `ga_symmetry compare` wrote."""
 import csv
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Shared by the scripts here; sourced with the repository's root as the working directory.
 
 # Installs the packages that are missing; asks for root's rights only then.

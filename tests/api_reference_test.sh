@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # api_reference_test.sh DOXYFILE: every public entity is documented, and one that is not would be found.
 set -uo pipefail
 doxyfile=$1

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # compare_test.sh TOOL SAMPLES: the report of `ga_symmetry compare`, and what it refuses.
 set -uo pipefail
 tool=$1 samples=$2

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs into a folder of its own, and builds and runs the example programs against that.
 #
 #   install_test.sh BUILD_DIRECTORY VCGLIB SAMPLE.off

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What an installed library has to fulfil. Sourced by install_test.sh and library_alone_test.sh, with $root the sources
 # and $work a folder for what is made on the way.
 fail() { echo "FAILED: $*"; exit 1; }

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The library alone is configured and built where nothing is found that it can do without, installed, and used.
 #
 #   library_alone_test.sh VCGLIB SAMPLE.off

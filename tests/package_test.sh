@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the Debian package, installs it, runs the filters in the system's meshlabserver, and removes it again.
 #
 #   package_test.sh BUILD_DIRECTORY SAMPLE.off

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # release_test.sh SOURCE: the version is one everywhere, and the package's date can be derived and repeated.
 set -uo pipefail
 source=$(realpath "$1")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The subcommands: each adds its options to the command line and says what to run once they are parsed.
 #pragma once
 #include <CLI/CLI.hpp>

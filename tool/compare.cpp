@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry compare: this program's searches and others' side by side, where the truth is known.
 #include <cstdio>
 #include <filesystem>

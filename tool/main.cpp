@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command line tool: translates the command line and the errors of the core, nothing else.
 #include <signal.h>
 

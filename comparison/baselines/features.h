@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Matching by what a vertex looks like: the feature-based symmetry detection that the paper compares itself with.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the paper's pair-wise genetic algorithm is measured against: exact searches of its own fitness.
 #pragma once
 #include <vector>

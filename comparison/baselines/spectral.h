@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Symmetries as signs of Laplacian eigenfunctions, and their spectral refinement.
 #pragma once
 #include <Eigen/Core>

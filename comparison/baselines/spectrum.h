@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenfunctions of a surface's Laplacian, and matching of rows in the spaces that they span.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // read_file MESH PARTNERS.csv: reads a mesh, writes the partners of its vertices; without vcglib.
 #include <ga_symmetry/io.h>
 #include <ga_symmetry/symmetry.h>

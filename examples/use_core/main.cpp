@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // use_core MESH.off: the partners of a vcglib mesh's vertices, without references.
 #include <ga_symmetry/symmetry.h>
 #include <vcg/complex/complex.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the searches are compared with, each alone; the readers of data sets; the durations.
 #include <gtest/gtest.h>
 #include <stdlib.h>

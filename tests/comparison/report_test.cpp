@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the report of a comparison is made with.
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the two sides of a shape differ.
 #pragma once
 #include <vector>

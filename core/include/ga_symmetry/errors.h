@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of the core: one type per remedy. Poor symmetry is a result, not an error.
 #pragma once
 #include <stdexcept>

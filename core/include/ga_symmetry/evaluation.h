@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How good a partner map is, where the truth is known.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plain triangle mesh that enters and leaves the core, and the door for any vcglib mesh.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Values at the vertices - a selection, colours, weights - carried across a symmetry.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What can be chosen of a search. By name, with help: option_table.h.
 #pragma once
 #include <cstdint>

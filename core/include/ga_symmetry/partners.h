@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The partners of a mesh's vertices as they are kept between runs: in files, in MeshLab's attributes, in arrays.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the user knows of the symmetry: vertices on its axis, and pairs that it exchanges.
 #pragma once
 #include <array>

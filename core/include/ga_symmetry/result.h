@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run returns: everything that a caller would otherwise compute again.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Evenly spaced vertices of a mesh, and the patches around them.
 #pragma once
 #include <string>

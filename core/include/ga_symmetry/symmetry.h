@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The front door: a mesh and options in, partners out.
 #pragma once
 #include <vector>
