@@ -17,9 +17,10 @@ done
 quick=(-DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O0)
 ! command -v ccache > /dev/null || quick+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 # Without GA_SYMMETRY_BENCH, which follows the comparison.
-logged env SOURCE_DATE_EPOCH=86400 cmake -S "$root" -B "$work/all" "${absent[@]}" -DVCGLIB_DIR="$vcglib" -DGA_SYMMETRY_TOOL=OFF \
-  -DGA_SYMMETRY_PLUGIN=OFF -DGA_SYMMETRY_COMPARISON=OFF -DBUILD_TESTING=OFF
-grep -q "  Fri, 02 Jan 1970 00:00:00 +0000$" "$work/all/debian/changelog" || fail "the package's date is not SOURCE_DATE_EPOCH"
+logged env SOURCE_DATE_EPOCH=86400 cmake -S "$root" -B "$work/all" "${absent[@]}" -DVCGLIB_DIR="$vcglib" \
+  -DGA_SYMMETRY_TOOL=OFF -DGA_SYMMETRY_PLUGIN=OFF -DGA_SYMMETRY_COMPARISON=OFF -DBUILD_TESTING=OFF
+grep -q "  Fri, 02 Jan 1970 00:00:00 +0000$" "$work/all/debian/changelog" ||
+  fail "the package's date is not SOURCE_DATE_EPOCH"
 ! cmake -S "$root" -B "$work/tool" "${absent[@]}" -DVCGLIB_DIR="$vcglib" > "$work/log" 2>&1 ||
   fail "the tool is configured without CLI11: nothing was absent"
 
