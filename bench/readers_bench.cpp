@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading mesh files, in bytes a second: the core's readers beside vcglib's importers, on the same files.
 #include <benchmark/benchmark.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Intrinsic Symmetry: Asymmetry".
 #include "ga_symmetry/asymmetry.h"
 

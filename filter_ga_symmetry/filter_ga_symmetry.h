@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The MeshLab plugin: hands MeshLab's calls to the filters.
 #pragma once
 #include "meshlab_adapter.h"

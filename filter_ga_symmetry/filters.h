@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All filters of the plugin, in the order in which menus show them.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Intrinsic Symmetry: Find Partners".
 #include "filters.h"
 #include "ga_symmetry/io.h"

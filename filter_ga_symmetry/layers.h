@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the filters share: the current layer, the partners that it keeps as attributes, colours, new layers.
 #pragma once
 #include "ga_symmetry/context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints a filter script (.mlx) that runs filters of this plugin with their defaults, in the order given. meshlabserver
 // wants every parameter listed, with its right type; this knows them from the filters themselves.
 //

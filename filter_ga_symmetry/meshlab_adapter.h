@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What differs between MeshLab's generations of the filter interface: 2020.09, 2022.02, and 2023.12 with 2025.07.
 // CMake finds out from the headers which one it is (MESHLAB_GENERATION); the filters themselves do not know.
 #pragma once

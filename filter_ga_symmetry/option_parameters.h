@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The core's options as parameters of a filter.
 #pragma once
 #include "ga_symmetry/option_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Intrinsic Symmetry: Evenly Spaced Samples".
 #include "ga_symmetry/samples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the fuzz targets share: bytes become numbers, and an error that the core promises is no finding.
 #pragma once
 #include <cstddef>

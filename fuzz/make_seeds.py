@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the seeds of the fuzz targets: small inputs of every format, most of them valid. make_seeds.py FOLDER"""
 import json
 import pathlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mesh files: the first byte chooses the ending, the rest is the file; or the rest chooses a PLY header whose
 // properties have any type, and what is left is the data below it.
 #include <array>

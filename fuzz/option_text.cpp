@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Advanced options as the user types them: refused in one line, or set to what may be.
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options of any value: refused in one line, or such that the search begins (it is stopped there).
 #include <atomic>
 #include <cmath>

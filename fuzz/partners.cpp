@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Imports: partners as CSV or JSON, value tables and truth files, for a small mesh. The first byte chooses.
 #include "ga_symmetry/partners.h"
 

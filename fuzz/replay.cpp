@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a fuzz target over stored inputs, without libFuzzer: replay FOLDER...
 #include <algorithm>
 #include <cstdio>

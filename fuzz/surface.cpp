@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The core's door: arbitrary coordinates and faces; if it lets them in, the whole search has to bear them.
 #include <cmath>
 #include <cstdlib>

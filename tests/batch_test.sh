@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # batch_test.sh TOOL SAMPLES: the recipes of docs/batch.md do what they say. Skips (77) without GNU Parallel.
 set -uo pipefail
 tool=$1 samples=$2

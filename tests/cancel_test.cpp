@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stopping from code: at every stage, and with nothing left behind.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the plugin against the headers of other MeshLab releases, float and double; nothing is linked or run.
 #
 #   GA_SYMMETRY_MESHLAB_SOURCES=TREE[:TREE]... tests/compile_check.sh

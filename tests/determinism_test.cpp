@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The same bytes whatever the threads; the corresponding answer for the same shape in other clothes.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # fault_test.sh TOOL: what fails outside of the tool (disk, folder, memory, threads, the tool itself killed) loses nothing:
 # each output is the old file or the new one, whole. Exit 77 = nothing could be tested here.
 set -uo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The joint search as a whole: what it finds on shapes whose symmetry is known.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # manual_test.sh TOOL MANUAL COMPLETION: the manual page and the completion know every command and option of --help.
 set -euo pipefail
 tool=$1 manual=$2

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Runs the PyMeshLab examples on a sample. The plugin must be the one for the installed PyMeshLab:
 #
 #   GA_SYMMETRY_PYMESHLAB_PLUGIN=libfilter_ga_symmetry.so tests/pymeshlab_test.sh

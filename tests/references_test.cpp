@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // References: reading them from text, and telling their roles from a selection.
 #include <gtest/gtest.h>
 

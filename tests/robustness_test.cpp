@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever mesh a user opens: it ends in a result, a result with a warning, or one line with the remedy.
 #include <gtest/gtest.h>
 

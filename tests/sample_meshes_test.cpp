@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The promises of sample_meshes/README.md, checked on the files as they are.
 #include <gtest/gtest.h>
 

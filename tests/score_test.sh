@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # score_test.sh TOOL SAMPLES SHARED: `ga_symmetry score` and the scorer of partner maps agree to 1e-3, where there is one.
 set -euo pipefail
 tool=$1 samples=$2 shared=$3

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small meshes whose properties are known by construction.
 #pragma once
 #include <cmath>

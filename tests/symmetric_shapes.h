@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes with one symmetry known by construction, and a few plain ones of other topology.
 #pragma once
 #include <array>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # tool_test.sh TOOL: the command line tool's exit codes, outputs and messages.
 set -uo pipefail
 tool=$1

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What several subcommands share on the command line and on the screen.
 #pragma once
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry asymmetry: where the two sides differ.
 #include "ga_symmetry/asymmetry.h"
 

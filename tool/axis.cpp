@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry axis: the centre line of a symmetry that was found before.
 #include "ga_symmetry/axis.h"
 

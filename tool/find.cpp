@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry find: a mesh in, its partners out; or many.
 #include <algorithm>
 #include <cstdio>

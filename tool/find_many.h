@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry find over many meshes: one after the other, each with its own outputs, and a table of all.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry mirror: a table of values at the vertices, carried to the other side.
 #include "ga_symmetry/mirror.h"
 

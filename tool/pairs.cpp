@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry pairs: evenly spread pairs of a symmetry that was found before.
 #include <memory>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry samples: evenly spaced vertices and the patches around them.
 #include "ga_symmetry/samples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ga_symmetry score: how good a result is where the truth is known.
 #include <cstdio>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the subcommands write beside tables: drawings for any mesh viewer.
 #pragma once
 #include <array>

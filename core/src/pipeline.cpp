@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steps from a mesh to its result, in order, and nothing else: docs/algorithm.md walks the same way.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What was found on a surface, and how it becomes the result of the mesh.
 #pragma once
 #include <optional>

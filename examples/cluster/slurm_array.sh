@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds the symmetry of every mesh of a folder, a task of a Slurm array for each.
 #
 #   sbatch --array=1-$(ls scans/*.ply | wc -l) slurm_array.sh scans/*.ply

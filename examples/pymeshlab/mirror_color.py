@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Find the partners of a mesh's vertices, read them as an array, mirror a colour, and save the mesh.
 
     mirror_color.py PLUGIN MESH a0,a1,l,r OUT.ply

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run a filter script of meshlabserver, unchanged.
 
     run_script.py PLUGIN MESH SCRIPT.mlx OUT.ply

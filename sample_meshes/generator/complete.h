@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One fundamental piece and a symmetry group make the whole mesh, vertex by vertex and face by face.
 #pragma once
 #include "mesh.h"

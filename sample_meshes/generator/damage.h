@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Broken symmetry: what real scans lack or have too much. Each takes a closed person and keeps the truth.
 #pragma once
 #include "sample.h"

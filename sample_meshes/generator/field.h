@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rounded solids, blended into one smooth surface: the zero set of a function, negative inside.
 #pragma once
 #include <vector>

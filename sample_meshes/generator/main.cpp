@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_sample_meshes: writes the sample meshes and their truth into a folder, the same bytes every time.
 #include <cstdio>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The triangle mesh that the generator works on.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bending a shape by joints whose effect fades in smoothly across the joint.
 #pragma once
 #include <vector>

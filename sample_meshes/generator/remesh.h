@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What vcglib does for the generator.
 #pragma once
 #include "mesh.h"

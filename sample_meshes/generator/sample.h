@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A posed mesh with its truth: mixed up, checked, and written.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shapes: what they look like at rest, which symmetries they have, and how they are posed.
 #pragma once
 #include <string>

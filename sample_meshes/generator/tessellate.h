@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a shape's field to triangles: the fundamental piece of a symmetric mesh, or a mesh that knows no symmetry.
 #pragma once
 #include "mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What there is to draw of a symmetry that is known: pairs, and the axis.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files: meshes in, results out, the contract of the CSV, all or nothing.
 #include "ga_symmetry/io.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A creature with everything that matching on it needs, and its true partners.
 #pragma once
 #include <vector>

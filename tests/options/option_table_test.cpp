@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Options by name: one table, and what is made of it.
 #include "ga_symmetry/option_table.h"
 

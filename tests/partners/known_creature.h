@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A bent creature whose partners and sides are known by construction.
 #pragma once
 #include "ga_symmetry/partners.h"

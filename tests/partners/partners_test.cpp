@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is done with partners that are known: checks, transfer of values, asymmetry. All shapes have partners by
 // construction.
 #include "ga_symmetry/partners.h"

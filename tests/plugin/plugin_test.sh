@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One case of the plugin in the real meshlabserver, through a filter script.
 #
 #   plugin_test.sh CASE MESHLABSERVER MAKE_FILTER_SCRIPT TOOL SAMPLE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A filter that fails or is stopped leaves the document byte for byte as it was, and no file.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The generic genetic loop and its operators, with a toy problem: find a number.
 #include "search/genetic.h"
 

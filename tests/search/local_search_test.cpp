@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that lower the cost of a map.
 #include "search/local_search.h"
 

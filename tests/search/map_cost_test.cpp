@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The cost of a map, term by term, and of one gene of it.
 #include "search/map_cost.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's search: every operator alone, then the laws of the whole.
 #include "search/pairs.h"
 

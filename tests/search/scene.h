@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests of the joint search share: a creature with its tables, and random maps over it.
 #pragma once
 #include "search/map_cost.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the first population comes from.
 #include "search/seeding.h"
 

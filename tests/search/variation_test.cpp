@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every operator of the joint search alone.
 #include "search/variation.h"
 

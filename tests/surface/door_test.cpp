@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The door: what a mesh must be, and what a bad one is told.
 #include <gtest/gtest.h>
 #include <vcg/complex/complex.h>

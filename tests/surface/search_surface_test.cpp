@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is searched for a mesh in whatever state, and the way back from it.
 #include "surface/search_surface.h"
 

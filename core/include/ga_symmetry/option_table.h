@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options by name: what command lines, dialogs, scripts and documents are made of.
 #pragma once
 #include <optional>

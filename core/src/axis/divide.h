@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sides and the axis of a reflection, from how much nearer each vertex is to the left.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a function on a surface changes its sign.
 #pragma once
 #include <vector>

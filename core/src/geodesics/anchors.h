@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's references on the surface that is searched, with their distances: computed once, for all stages.
 #pragma once
 #include <array>

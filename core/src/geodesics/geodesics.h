@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Geodesic distance fields by fast marching.
 #pragma once
 #include <Eigen/Core>

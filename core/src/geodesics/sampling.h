@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of a surface, and the distance fields that start at them.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What distances could be if nothing of a surface were missing.
 #pragma once
 #include <Eigen/Core>

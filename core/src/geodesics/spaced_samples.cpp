@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ga_symmetry/samples.h"
 #include "geodesics/geodesics.h"
 #include "geodesics/sampling.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Readers of the mesh formats; private to the core. Each checks what it reads in the same pass: a file cut short, a
 // face of vertices that do not exist or a lying header ends in a refusal, and no header makes room for more than the
 // file can hold.

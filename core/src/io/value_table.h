@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of numbers at the vertices of a mesh, such as weights.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the partners of the samples to a partner for every vertex.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices as points to be matched: their distances to the landmarks, and their curvature.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a partner may be off, where the truth is not known.
 #pragma once
 #include <vector>

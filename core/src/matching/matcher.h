@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How well vertices agree by their distances to landmarks and their curvature: what all matching is made of.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the partners of all vertices are found with, once the samples have theirs.
 #pragma once
 #include "geodesics/geodesics.h"

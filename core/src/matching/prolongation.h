@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the partners on the searched surface to a partner for every vertex of the mesh.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The choice among the maps that survive the search: which is the symmetry, and which are other symmetries.
 #pragma once
 #include <vector>

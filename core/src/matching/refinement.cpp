@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "matching/refinement.h"
 
 #include <Eigen/Dense>

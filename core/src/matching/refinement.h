@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The images of landmarks under a symmetry, and how they are made exact.
 #pragma once
 #include <vector>

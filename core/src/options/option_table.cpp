@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ga_symmetry/option_table.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A checked surface together with the partners of its vertices; private to the core.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The genetic loop that both searches share, and the operators that do not depend on what a genome is.
 #pragma once
 #include <algorithm>

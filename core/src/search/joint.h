@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The joint search: one individual is a partner for every sample at once.
 #pragma once
 #include <vector>

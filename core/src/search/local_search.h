@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that lower the cost of one map: what makes the genetic search memetic (Moscato 1989).
 #pragma once
 #include <limits>

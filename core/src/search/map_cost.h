@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How badly a map of the samples keeps what a symmetry keeps.
 #pragma once
 #include <limits>

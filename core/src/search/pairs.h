@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A genetic algorithm over pairs of one left and one right sample, as in "Finding Intrinsic Points on 3D Models with
 // Using Genetic Algorithms", called the paper below.
 #pragma once

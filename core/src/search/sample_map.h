@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The genome of the joint search, and how two of them differ.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first population: coherent whole maps.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that the joint search looks up about the sites it may choose from: tables, no geometry in its loops.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // New maps out of old ones, and which of them stay.
 #pragma once
 #include <vector>

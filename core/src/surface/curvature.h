@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mean curvature of a surface, raw and as features to be matched; and the heat diffusion that smooths it.
 #pragma once
 #include <Eigen/Core>

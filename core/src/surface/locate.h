@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the vertices of a mesh stand on a surface of the same shape.
 #pragma once
 #include <array>

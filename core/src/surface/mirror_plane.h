@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Planes that mirror a surface as it stands: evidence, and exact partners, where the pose is symmetric, too.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The point of a triangle that is nearest to another point.
 #pragma once
 #include <Eigen/Core>

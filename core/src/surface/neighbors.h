@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Walking over a surface's edges.
 #pragma once
 #include "surface/surface.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Smaller faces on the same surface.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The surface that is searched for a mesh, and the way back to the mesh's own vertices.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A surface of fewer vertices and the same shape.
 #pragma once
 #include "ga_symmetry/context.h"

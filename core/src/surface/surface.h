@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edge-manifold, oriented surfaces as flat arrays: what every stage after the door works on.
 #pragma once
 #include <cstddef>

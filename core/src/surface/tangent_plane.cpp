@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/tangent_plane.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Directions on a surface, as seen from a vertex.
 #pragma once
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/welded_mesh.h"
 
 #include <Eigen/Core>

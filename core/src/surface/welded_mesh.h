@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a renderer draws of a mesh, as one list of faces: vertices at one place are one, and no face is without area.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/wrap.h"
 
 #include <vcg/complex/complex.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One closed surface around everything: what the search works on where a mesh is not one surface itself.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ga_symmetry/context.h"
 
 #include "ga_symmetry/errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Comma-separated tables; private to the project.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one way to use several threads.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one random engine, and draws that are the same on every platform.
 #pragma once
 #include <cstdint>

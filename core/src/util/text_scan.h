@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files, lines, words and numbers of text held in memory; private to the project. Nothing depends on the locale.
 #pragma once
 #include <algorithm>
