@@ -82,8 +82,7 @@ seed("partners", "json_out_of_range", "\x01" + json.dumps(result))
 seed("partners", "values", "\x02arm,vertex,leg\n" + "".join(f"0.5,{i},1e-3\n" for i in range(25)))
 seed("partners", "truth", "\x03" + "".join(f"{i} {24 - i}\n" for i in range(25)))
 
-for i, text in enumerate(("", "12,40,7,9", "12,40,7:9,3:5", " 3 , 8 ", "1,2,3,4,5,6", "2147483648", "1:1", "1,1", "-1,2",
-                          "12 40 7 9\n", "12 , 40 7 : 9")):
+for i, text in enumerate(("", "12,40,7,9", "12,40,7:9,3:5", " 3 , 8 ", "1,2,3,4,5,6", "2147483648", "1:1", "1,1", "-1,2")):
     seed("references", str(i), text)
 
 for i, text in enumerate(("", "joint_sites=400, fitness=linear", "noise_filter=true\tpairs_barrier=-1.96", "?", "joint_sites=",

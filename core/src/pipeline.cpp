@@ -227,14 +227,14 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   context.report(0, "checking the mesh");
   Surface of_mesh = make_surface(mesh, options.largest_component, context);
   clock.stage_done("surface");
-  const SearchSurface search(std::move(of_mesh), options, context.part(0, 0.3));
+  const SearchSurface search(std::move(of_mesh), options, context.part(0, 0.2));
   if (!search.direct()) clock.stage_done("search surface");
   const SurfaceReferences references = search.locate(options.references);
 
   SurfaceResult found = options.method == Method::pairs
                             ? find_by_pairs(search.searched(), references, options, context, clock)
                             : find_jointly(search.searched(), references, options,
-                                           search.direct() ? context : context.part(0.3, 0.8), clock);
+                                           search.direct() ? context : context.part(0.2, 0.8), clock);
   // Of a mesh in parts this is the only surface in one piece.
   if (search.parts() > 1 && !found.left_right.empty()) connect_sides(search.searched(), found.left_right);
   if (!search.direct()) {
@@ -258,6 +258,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
   result.axis_references = options.references.axis;
   result.pair_references = options.references.pairs;
   result.warnings.insert(result.warnings.begin(), search.warnings().begin(), search.warnings().end());
+  if (options.largest_component && !search.of_mesh().notes.empty()) result.warnings.push_back(result.surface);
   for (const IdleOption& idle : idle_options(options))
     if (idle.changed) result.warnings.push_back(idle.name + " does nothing " + idle.why);
   result.seconds = std::move(seconds);

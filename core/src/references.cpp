@@ -161,8 +161,18 @@ References references_from_selection(const TriangleMesh& mesh, const std::array<
   const SearchSurface search(make_surface(mesh, options.largest_component, context.part(0, 0.1)), options,
                              context.part(0.1, 0.8));
   const Surface& surface = search.searched();
-  const std::vector<int> sources = search.locate({{vertex[0], vertex[1], vertex[2], vertex[3]}, {}}).axis;
-  const DistanceFields fields = GeodesicSolver(surface).fields(sources, options.threads, context.part(0.8, 0.9));
+  // Distances from where the four stand, between vertices: an edge more or less is as much as readings differ by.
+  std::vector<int> sources = search.locate({{vertex[0], vertex[1], vertex[2], vertex[3]}, {}}).axis;
+  std::vector<SurfacePoint> place;
+  for (int i = 0; i < 4; ++i)
+    place.push_back(search.direct() ? SurfacePoint{{sources[i], sources[i], sources[i]}, {1, 0, 0}}
+                                    : search.place()[search.of_mesh().surface_vertex[vertex[i]]]);
+  sources.clear();
+  for (const SurfacePoint& p : place) sources.insert(sources.end(), p.vertex.begin(), p.vertex.end());
+  const DistanceFields corner = GeodesicSolver(surface).fields(sources, options.threads, context.part(0.8, 0.9));
+  DistanceFields fields = DistanceFields::Zero(4, surface.vertices());
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 3; ++k) fields.row(i) += static_cast<float>(place[i].weight[k]) * corner.row(3 * i + k);
   Random random(1);
   const std::vector<int> probes = uniform_sample_vertices(surface, std::min(kProbes, surface.vertices()), random);
 

@@ -207,14 +207,18 @@ TEST_F(ReadMesh, PlyOfEveryType) {
 
 // The count of a list was once an amount of bits to shift by, also where it was a double.
 TEST_F(ReadMesh, PlyListsAreCountedInIntegers) {
-  const auto ply = [](const std::string& list) {
-    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" + list +
-           "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto ply = [](const std::string& list, const std::string& count) {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+           "list " +
+           list + " int extra\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + count +
+           "\n1 0 0 0\n1 1 0 0\n3 0 1 2\n";
   };
-  expect_refused("a.ply", ply("property list double int extra\n") + "0 0 0 0\n1 0 0 0\n1 1 0 0\n3 0 1 2\n", "line 7");
-  expect_refused("a.ply", ply("property list uchar int extra\n") + "0 0 0 256\n", "line 11: \"256\" is not an integer");
-  expect_refused("a.ply", ply("property list uchar int extra\n") + "0 0 0 1.0\n", "line 11: \"1.0\" is not an integer");
-  expect_refused("a.ply", ply("property list int int extra\n") + "0 0 0 -1\n", "negative");
+  EXPECT_EQ(read_mesh(write("a.ply", ply("uchar", "0"))).triangles(), 1);
+  for (const char* type : {"float", "double"}) expect_refused("a.ply", ply(type, "0"), "line 7: a list");
+  expect_refused("a.ply", ply("uchar", "256"), "line 11: \"256\" is not an integer");
+  expect_refused("a.ply", ply("uchar", "1.0"), "line 11: \"1.0\" is not an integer");
+  expect_refused("a.ply", ply("int", "-1"), "line 11: the list \"extra\" has a negative");
+  expect_refused("a.ply", ply("uint", "4294967295"), "ends early");
 }
 
 TEST_F(ReadMesh, NumbersOutOfRangeAreZeroOrInfinite) {
@@ -440,7 +444,8 @@ TEST_F(ReadMesh, RefusesBadPly) {
   expect_refused("a.ply", ply("ascii", "3", "uchar quad vertex_indices") + points, "\"quad\"");
   expect_refused("a.ply", ply("ascii", "3", "uchar float vertex_indices") + points + "3 0 1 2\n", "of integers");
   expect_refused("a.ply", ply("ascii", "3", "uchar int corners") + points + "3 0 1 2\n", "vertex_indices");
-  expect_refused("a.ply", ply("binary_little_endian", "3", "uchar int vertex_indices") + "123456789", "ends early");
+  expect_refused("a.ply", ply("binary_little_endian", "3", "uchar int vertex_indices") + "123456789",
+                 "more than the file can hold");
   expect_refused(
       "a.ply", ply("binary_little_endian", "3", "int int vertex_indices") + std::string(36, '\0') + "\xff\xff\xff\x7f",
       "ends early");

@@ -209,8 +209,8 @@ TEST_F(Unchanged, Failed) {
 
 TEST_F(Unchanged, OfSeveralComponents) {
   open(2);
-  expect_failure(kFind, quick({{"references", kReferences}}));
-  expect_failure("generate_evenly_spaced_samples", {});
+  expect_failure(kFind, quick({{"references", "0,1,2:99999999"}}));
+  expect_failure("generate_evenly_spaced_samples", {{"samples", "0"}});
 }
 
 TEST_F(Unchanged, WithDeletedVertices) {

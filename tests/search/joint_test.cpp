@@ -12,31 +12,31 @@ namespace ga_symmetry {
 namespace {
 
 JointProblem problem(const JointOptions& options, const SurfaceReferences& references = {}) {
-  const SearchScene& s = creature_scene();
+  const SearchScene& s = search_scene();
   return JointProblem(s.sites, s.surface, SymmetryKind::reflection,
                       make_anchors(references, SymmetryKind::reflection, s.solver, 1), options);
 }
 
 TEST(JointProblem, EvaluationImprovesTheMapAndScoresIt) {
   const JointProblem p = problem({});
-  SampleMap map = creature_scene().random_map(1);
+  SampleMap map = search_scene().random_map(1);
   const double before = p.cost().score(map);
   const double score = p.evaluate(map, 0);
   EXPECT_LT(score, before);
   EXPECT_EQ(score, p.cost().score(map));
-  SampleMap identity = creature_scene().identity();
+  SampleMap identity = search_scene().identity();
   EXPECT_TRUE(std::isinf(problem(without_orientation()).evaluate(identity, 0))) << "the identity is no symmetry";
 }
 
 TEST(JointProblem, ReferencesAreTheSamplesOfRegionCrossover) {
   EXPECT_TRUE(problem({}).anchors().empty());
-  EXPECT_EQ(problem({}, creature_scene().references()).anchors().size(), 4u);
+  EXPECT_EQ(problem({}, search_scene().references()).anchors().size(), 4u);
 }
 
 TEST(SearchJoint, BestCostNeverRisesAndTheSeedDecides) {
   JointOptions o;
   o.max_generations = 8;
-  const JointProblem p = problem(o, creature_scene().references());
+  const JointProblem p = problem(o, search_scene().references());
   Random first(3), second(3);
   const JointResult a = search_joint(p, first, 1), b = search_joint(p, second, 4);
   EXPECT_EQ(a.maps, b.maps);
@@ -48,11 +48,11 @@ TEST(SearchJoint, AFurtherSeedMayBeTheAnswer) {
   JointOptions o;
   o.max_generations = 0;
   const JointProblem p = problem(o);
-  const SampleMap truth = creature_scene().truth();
+  const SampleMap truth = search_scene().truth();
   Random random(3), same(3);
   const JointResult without = search_joint(p, random, 1), with = search_joint(p, same, 1, {}, {truth});
   EXPECT_LE(with.scores[0], without.scores[0]);
-  EXPECT_LT(map_distance(creature_scene().sites, with.maps[0], truth), 0.1);
+  EXPECT_LT(map_distance(search_scene().sites, with.maps[0], truth), 0.1);
 }
 
 }  // namespace

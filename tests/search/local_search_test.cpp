@@ -12,7 +12,7 @@
 namespace ga_symmetry {
 namespace {
 
-const SearchScene& scene() { return creature_scene(); }
+const SearchScene& scene() { return search_scene(); }
 
 TEST(CoordinateDescent, MovesNoFartherThanItsRadius) {
   const SampleMap before = scene().random_map(9);

@@ -11,7 +11,7 @@
 namespace ga_symmetry {
 namespace {
 
-const SearchScene& scene() { return creature_scene(); }
+const SearchScene& scene() { return search_scene(); }
 
 TEST(MapCost, TheIdentityKeepsDistancesButNotOrientation) {
   const CostTerms t = scene().cost().terms(scene().identity());

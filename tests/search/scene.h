@@ -57,7 +57,7 @@ struct SearchScene {
 };
 
 /// Bent and renumbered; made once, as tests only read it.
-inline const SearchScene& creature_scene() {
+inline const SearchScene& search_scene() {
   static const SearchScene scene(shapes::shuffled(shapes::bent(shapes::creature(3), 0.1), 7));
   return scene;
 }

@@ -15,7 +15,7 @@
 namespace ga_symmetry {
 namespace {
 
-const SearchScene& scene() { return creature_scene(); }
+const SearchScene& scene() { return search_scene(); }
 
 TEST(AnchorPairs, AreTheNearestSampleAndSite) {
   const Sites& s = scene().sites;

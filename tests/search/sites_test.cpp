@@ -30,7 +30,7 @@ TEST(Directions, AnglesBetweenSourcesAreThoseOfThePlane) {
 }
 
 TEST(Sites, TablesAreConsistent) {
-  const Sites& s = creature_scene().sites;
+  const Sites& s = search_scene().sites;
   EXPECT_EQ(s.count(), 120);
   EXPECT_TRUE(s.distance == s.distance.transpose());
   for (int i = 0; i < s.samples; ++i) {
@@ -46,7 +46,7 @@ TEST(Sites, TablesAreConsistent) {
 }
 
 TEST(Sites, NearAreAllWithinTheRadiusNearestFirst) {
-  const Sites& s = creature_scene().sites;
+  const Sites& s = search_scene().sites;
   for (int k = 0; k < s.count(); ++k) {
     const std::vector<int>& near = s.near[k];
     ASSERT_FALSE(near.empty());
@@ -60,7 +60,7 @@ TEST(Sites, NearAreAllWithinTheRadiusNearestFirst) {
 }
 
 TEST(Sites, ExtremalSamplesAreTipsFarthestFirstAndTheCenterLast) {
-  const Sites& s = creature_scene().sites;
+  const Sites& s = search_scene().sites;
   ASSERT_GT(s.extremal.size(), 1u);
   const auto average = [&](int i) { return s.average_distance[i]; };
   EXPECT_EQ(s.extremal.front(), std::max_element(s.average_distance.begin(), s.average_distance.begin() + s.samples) -
@@ -70,7 +70,7 @@ TEST(Sites, ExtremalSamplesAreTipsFarthestFirstAndTheCenterLast) {
 }
 
 TEST(Coarsened, HoldsTheFirstSites) {
-  const Sites& fine = creature_scene().sites;
+  const Sites& fine = search_scene().sites;
   const Sites coarse = coarsened(fine, 15, 40);
   EXPECT_EQ(coarse.samples, 15);
   ASSERT_EQ(coarse.count(), 40);

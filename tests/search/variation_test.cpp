@@ -14,7 +14,7 @@
 namespace ga_symmetry {
 namespace {
 
-const SearchScene& scene() { return creature_scene(); }
+const SearchScene& scene() { return search_scene(); }
 
 Population<SampleMap> random_parents(int count) {
   Population<SampleMap> parents;

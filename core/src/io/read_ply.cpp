@@ -78,6 +78,8 @@ Header read_header(LineReader& lines) {
     const std::vector<std::string_view> words = split(line, " \t\r");
     if (number == 1) {
       if (words.empty() || words[0] != "ply") throw FileError("it does not begin with the word ply");
+    } else if (lines.rest().empty() && (words.empty() || words[0] != "end_header")) {
+      break;  // the line is cut off, too
     } else if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
       continue;
     } else if (!formatted) {
@@ -245,8 +247,8 @@ class Reader {
     if (element.rows > 0 && element.properties.empty())
       throw FileError("the element " + quoted(element.name) + " has no properties");
     if (static_cast<std::size_t>(element.rows) > values_.left() / std::max<std::size_t>(row_bytes(element), 1))
-      throw FileError("the header promises " + std::to_string(element.rows) + " times " + quoted(element.name) +
-                      ", more than the file can hold: it is cut short or damaged");
+      throw FileError("the header promises " + std::to_string(element.rows) + " rows of the element " +
+                      quoted(element.name) + ", more than the file can hold: it is cut short or damaged");
   }
   static std::size_t row_bytes(const Element& element) {
     std::size_t bytes = 0;

@@ -11,7 +11,8 @@ namespace ga_symmetry {
 namespace {
 
 constexpr int kMaxOrder = 12;           // of rotations: of more sides than a dodecagon, 100 samples tell little
-constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours
+constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours;
+                                        // each application adds to it, as partners are taken by the nearest sample
 constexpr std::size_t kContenders = 3;  // survivors taken to vertex resolution to find the best
 constexpr double kClose = 1.5;          // times the best score: refinement may still change the order
 
@@ -21,7 +22,7 @@ int order_of(const Sites& sites, const SampleMap& map) {
   for (int order = 1; order <= kMaxOrder; ++order) {
     double away = 0;
     for (int i = 0; i < sites.samples; ++i) away += sites.distance(at[i], i);
-    if (away / sites.samples < kReturned) return order;
+    if (away / sites.samples < kReturned * std::min(2.0, std::sqrt(order))) return order;
     for (int& site : at) site = map[sites.nearest_sample[site]];
   }
   return 0;

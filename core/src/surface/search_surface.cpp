@@ -92,6 +92,7 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
   // Without simplifying, a mesh in parts is still wrapped to a surface of the usual size.
   const int vertices = options.proxy > 0 ? options.proxy : std::max(3000, parts_ == 1 ? mesh_.vertices() : 0);
   if (!lead(vertices, context.part(0, 0.8))) wrap_all(vertices, context.part(0, 0.8));
+  if (!direct_) context.report(0.8, "simplifying");
   if (!direct_) place_ = ga_symmetry::locate(mesh_, searched_, options.threads);
 }
 
