@@ -119,10 +119,19 @@ bool SearchSurface::lead(int vertices, const Context& context) {
   for (int v = 0; v < surface->vertices(); ++v)
     if (surface->first_corner[v + 1] - surface->first_corner[v] > kMostFacesAround) return false;
   const double fine = std::sqrt(surface->area / std::clamp(surface->vertices(), kEnough, std::max(kEnough, vertices)));
-  if (surface->vertices() < kEnough || longest_edge(*surface) > kTooLong * fine) {
+  // A shape far longer than wide, as one with a spike, would need no end of pieces; it is searched as it is.
+  constexpr double kThin = 12;  // its diagonal over its unit; a body's is 2 to 3
+  const bool thin = diagonal_of(*surface) > kThin * surface->unit();
+  if (!thin && (surface->vertices() < kEnough || longest_edge(*surface) > kTooLong * fine)) {
     std::vector<double> position = surface->position;
     std::vector<int> triangle = surface->triangle;
-    split_long_edges(position, triangle, kSplit * fine);
+    constexpr double kMostPieces = 8 * kEnough;
+    double pieces = 0, length = kSplit * fine;
+    for (int c = 0; c < 3 * surface->triangles(); ++c)
+      pieces +=
+          std::max(0.0, surface->edge_length(surface->triangle[c], surface->triangle[next_corner(c)]) / length - 1);
+    length *= std::max(1.0, pieces / kMostPieces);
+    split_long_edges(position, triangle, length);
     s = surface_of(std::move(position), std::move(triangle), context);
     surface = &s;
     done_.push_back("refined to " + std::to_string(s.vertices()) + " vertices");
