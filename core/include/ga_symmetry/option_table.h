@@ -9,6 +9,7 @@
 
 namespace ga_symmetry {
 
+/// What values an option takes.
 enum class OptionKind { flag, integer, real, choice, references };
 
 /// Whom it is for: everyone, those who look for more, those who know the search.
@@ -16,15 +17,15 @@ enum class OptionLevel { basic, advanced, expert };
 
 /// What there is to say of one option.
 struct OptionInfo {
-  std::string name;  ///< such as `joint_sites`
-  OptionKind kind = OptionKind::flag;
-  OptionLevel level = OptionLevel::basic;
-  std::optional<Method> method;      ///< the only one that it is for
-  std::vector<std::string> choices;  ///< of a choice
-  std::string range;                 ///< of a number, such as "4 to 10000"
-  std::string default_value;         ///< as set_option takes it
-  std::string label;                 ///< a few words for a dialog; of experts' options ""
-  std::string help;                  ///< a sentence without a full stop, and without the range and the default
+  std::string name;                        ///< such as `joint_sites`
+  OptionKind kind = OptionKind::flag;      ///< of its values
+  OptionLevel level = OptionLevel::basic;  ///< whom it is for
+  std::optional<Method> method;            ///< the only one that it is for
+  std::vector<std::string> choices;        ///< of a choice
+  std::string range;                       ///< of a number, such as "4 to 10000"
+  std::string default_value;               ///< as set_option takes it
+  std::string label;                       ///< a few words for a dialog; of experts' options ""
+  std::string help;                        ///< a sentence without a full stop, and without the range and the default
 };
 
 /// Every option of `Options`.
@@ -44,7 +45,7 @@ void set_expert_options(Options& options, const std::string& line);
 
 /// An option that does nothing beside the others, whatever its value.
 struct IdleOption {
-  std::string name;
+  std::string name;      ///< as in the table
   std::string why;       ///< such as "with the method pairs"
   bool changed = false;  ///< its value is not the default
 };
