@@ -184,7 +184,6 @@ TEST(Door, ClosesTJunctions) {
 TEST(Door, NeedlesLeaveNoGap) {
   TriangleMesh mesh = shapes::grid(2, 2);  // two triangles
   // A place in the middle of the diagonal, and a needle that fills the gap that a split of one side alone would leave.
-  const int a = mesh.triangle[0];
   const Surface before = make_surface(mesh);
   std::vector<int> diagonal;
   for (int c = 0; c < 6; ++c)
@@ -195,7 +194,6 @@ TEST(Door, NeedlesLeaveNoGap) {
     mesh.position.push_back(0.5 * (mesh.position[3 * diagonal[0] + k] + mesh.position[3 * diagonal[1] + k]));
   mesh.triangle.insert(mesh.triangle.end(), {diagonal[0], diagonal[1], middle});
   const Surface after = make_surface(mesh);
-  (void)a;
   EXPECT_NEAR(after.area, before.area, 1e-12);
   int parts = 0;
   for (const int o : after.opposite) parts += o < 0;

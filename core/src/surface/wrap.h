@@ -12,7 +12,6 @@ struct Wrap {
   TriangleMesh mesh;   ///< closed, connected, edge-manifold, outside out
   double spacing = 0;  ///< of the grid; the wrap runs at this distance from the faces
   int bridged = 0;     ///< gaps that were bridged
-  double debris = 0;   ///< share of the area that was left out, as nothing that belongs to the shape is near it
 };
 
 /// The outer boundary of all points within a distance from the faces (an offset surface, by marching cubes on a grid).
