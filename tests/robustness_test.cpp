@@ -336,7 +336,10 @@ TEST_P(AnyMesh, EndsWellAsARotation) {
 TEST_P(AnyMesh, EndsWellWithReferences) {
   Options o = options();
   o.references = {{0, 1}, {{2, 3}}};
-  if (GetParam().refused == kResult) o.references = some_references(mesh_);
+  if (GetParam().refused == kResult) {
+    if (mesh_.vertices() < 4) GTEST_SKIP() << "has no four vertices";
+    o.references = some_references(mesh_);
+  }
   expect_outcome(o);
 }
 
@@ -344,7 +347,10 @@ TEST_P(AnyMesh, EndsWellPairByPair) {
   Options o = options();
   o.method = Method::pairs;
   o.references = {{0, 1}, {{2, 3}}};
-  if (GetParam().refused == kResult) o.references = some_references(mesh_);
+  if (GetParam().refused == kResult) {
+    if (mesh_.vertices() < 4) GTEST_SKIP() << "has no four vertices";
+    o.references = some_references(mesh_);
+  }
   expect_outcome(o);
 }
 
