@@ -42,6 +42,7 @@ const std::vector<Variant> variants{
     {"no relocation of outliers", [](Options& o) { o.joint.outlier_z = 1e6; }},
     {"no local refinement", [](Options& o) { o.local_refinement = false; }},
     {"no noise filter", [](Options& o) { o.noise_filter = false; }},
+    {"no spectral refinement", [](Options& o) { o.spectral_refinement = false; }},
 };
 
 struct Figures {

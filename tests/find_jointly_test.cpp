@@ -94,7 +94,7 @@ TEST_F(FindJointly, StopsWhenAskedTo) {
 TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
   Options o;
   o.references = references_of(shape_);
-  o.local_refinement = o.noise_filter = false;
+  o.local_refinement = o.noise_filter = o.spectral_refinement = false;
   const double neither = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
   o.local_refinement = true;
   const double refined = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
@@ -103,6 +103,8 @@ TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
   EXPECT_LT(both, neither);
   EXPECT_LT(refined, neither);
   EXPECT_LT(both, 1.02 * refined);
+  o.spectral_refinement = true;
+  EXPECT_LT(mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner), both);
 }
 
 TEST_F(FindJointly, AboveTheLargestFitnessThereIsNoPartner) {

@@ -169,8 +169,8 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");
-  DenseMap map =
-      make_dense_map(matching, images, options.noise_filter, options.threads, context.part(0.8, 0.95, "dense map"));
+  DenseMap map = make_dense_map(matching, images, {options.noise_filter, options.spectral_refinement}, options.threads,
+                                context.part(0.8, 0.95, "dense map"));
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");

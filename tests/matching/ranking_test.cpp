@@ -69,6 +69,24 @@ TEST(Disagreement, TheIdentityIsNoSymmetry) {
   EXPECT_GT(score(nearly), score(truth()));
 }
 
+// The map of vertices by the truth, and what a reflection that is none gives.
+TEST(WronglyTurned, ReflectionsTurnFacesOver) {
+  const Scene& s = creature();
+  const std::vector<int>& truth = s.of.shape.partner;
+  std::vector<int> itself(truth.size()), one_place(truth.size(), 5);
+  for (std::size_t v = 0; v < itself.size(); ++v) itself[v] = static_cast<int>(v);
+  EXPECT_EQ(wrongly_turned(s.matching(true), truth), 0);
+  EXPECT_EQ(wrongly_turned(s.matching(false), truth), 1);
+  EXPECT_EQ(wrongly_turned(s.matching(true), itself), 1);
+  EXPECT_EQ(wrongly_turned(s.matching(true), one_place), 0) << "what has no area has no side";
+  // One side by the truth, the other stays: half of the area.
+  const DistanceFields sides = s.of.solver.fields({s.of.shape.pair[0], s.of.shape.pair[1]}, 1);
+  std::vector<int> half = truth;
+  for (std::size_t v = 0; v < half.size(); ++v)
+    if (sides(0, v) < sides(1, v)) half[v] = static_cast<int>(v);
+  EXPECT_NEAR(wrongly_turned(s.matching(true), half), 0.5, 0.1);
+}
+
 TEST(SameSymmetry, ForgivesNoiseAndTellsMapsApart) {
   const Scene& s = creature();
   const Matching m = s.matching(true);
@@ -97,6 +115,31 @@ TEST(RankMaps, TheTruthIsFirstAndEachSymmetryStandsOnce) {
     EXPECT_EQ(ranking[0].images.field, s.of.solver.fields(ranking[0].images.vertex, 1)) << "fields of the images";
   }
   EXPECT_TRUE(rank_maps(s.matching(true), s.sites, {}, s.no_references, Refine::contenders, 1).empty());
+}
+
+// The references keep every vertex where it is: a map that agrees with them comes first, however bad.
+TEST(RankMaps, ReferencesAreKept) {
+  const Scene& s = creature();
+  Matching m = s.matching(true);
+  const std::vector<int> pair{s.of.shape.pair[0], s.of.shape.pair[1]};
+  const Landmarks kept{pair, s.of.solver.fields(pair, 1)};
+  m.landmarks = images_of(
+      [&] {
+        SampleMap itself(s.sites.samples);
+        for (int i = 0; i < s.sites.samples; ++i) itself[i] = i;
+        return itself;
+      }(),
+      s.sites, kept);
+  m.fixed = 2;
+  const auto ranking = rank_maps(m, s.sites, {truth(), half_swap()}, kept, Refine::all, 1);
+  ASSERT_EQ(ranking.size(), 2u);
+  EXPECT_TRUE(std::isinf(ranking[1].score));
+  double stays = 0;
+  for (const int v : pair) {
+    const int at = s.sites.nearest_sample[s.sites.nearest[v]];
+    stays += ranking[0].images.field(at, s.sites.vertex[at]) / s.of.surface.unit();
+  }
+  EXPECT_LT(stays, 0.3);
 }
 
 TEST(RankMaps, ThreadsChangeNothing) {

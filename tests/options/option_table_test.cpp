@@ -48,8 +48,8 @@ std::string refusal_of(const Options& options) {
 // Every field, in the order of the table. A field that is added to an options struct does not compile here before it
 // is named, and then lacks its row.
 std::vector<double> state(const Options& o) {
-  const auto& [method, symmetry, references, seed, threads, proxy, rank, refinement, filter, fitness, component, p, j] =
-      o;
+  const auto& [method, symmetry, references, seed, threads, proxy, rank, refinement, filter, spectral, fitness,
+               component, p, j] = o;
   const auto& [error, samples, sampling, individuals, regions, outlier, barrier, mutation, generations] = p;
   const auto& [j_samples, sites, population, j_generations, j_mutation, ruin, j_outlier, distance, orientation,
                continuity, descriptor, bijectivity, reference] = j;
@@ -77,6 +77,7 @@ std::vector<double> state(const Options& o) {
           reference,
           double(refinement),
           double(filter),
+          double(spectral),
           double(error),
           double(samples),
           double(sampling),

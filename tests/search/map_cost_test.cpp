@@ -125,15 +125,15 @@ TEST(GeneCost, DiffersAsTheWholeMapsCostDoes) {
     }
 }
 
-TEST(GeneCost, IsAtLeastTheLimitWhereItStops) {
+TEST(GeneCost, TheGuessIsAtLeastTheLimitWhereItStops) {
   const MapCost cost = scene().cost();
   SampleMap map = scene().random_map(1);
   GeneCost gene(cost, map);
   gene.look_at(5);
   for (int k = 0; k < scene().sites.count(); ++k) {
-    const float exact = gene.cost(k);
-    EXPECT_EQ(gene.cost(k, exact * 2), exact);
-    EXPECT_GE(gene.cost(k, exact / 2), exact / 2);
+    const float whole = gene.guess(k);
+    EXPECT_EQ(gene.guess(k, whole * 2), whole);
+    EXPECT_GE(gene.guess(k, whole / 2), whole / 2);
   }
 }
 

@@ -67,8 +67,9 @@ struct Options {
   bool local_refinement =
       true;                  ///< move all partners of the samples together to where distances agree best; joint only
   bool noise_filter = true;  ///< smooth what the distances to a vertex's partner are off; joint only
-  double max_fitness = 0;    ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
-                             ///< side lacks; 0 = keep all, [0, 1e6]
+  bool spectral_refinement = true;  ///< then move partners to where smooth functions on the surface agree; joint only
+  double max_fitness = 0;  ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
+                           ///< side lacks; 0 = keep all, [0, 1e6]
   bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
   PairsOptions pairs;              ///< of the method pairs
   JointOptions joint;              ///< of the method joint

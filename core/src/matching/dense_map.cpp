@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "ga_symmetry/errors.h"
+#include "matching/face_point.h"
 #include "matching/matcher.h"
+#include "matching/spectral.h"
 #include "surface/neighbors.h"
 #include "util/parallel.h"
 
@@ -86,40 +88,6 @@ std::vector<float> smooth_differences(const Surface& surface, const Features& fe
   return now;
 }
 
-// The point on the faces around `c` whose interpolated features match best.
-SurfacePoint on_face(const Surface& surface, const Features& features, const Matcher& matcher, int c) {
-  SurfacePoint best{{c, c, c}, {1, 0, 0}};
-  const int dimension = features.dimension;
-  const float* origin = features.of(features.target, c);
-  double least = matcher.error(c);
-  for (int i = surface.first_corner[c]; i < surface.first_corner[c + 1]; ++i) {
-    const int a = surface.triangle[next_corner(surface.corner_at[i])];
-    const int b = surface.triangle[previous_corner(surface.corner_at[i])];
-    const float *fa = features.of(features.target, a), *fb = features.of(features.target, b);
-    double aa = 0, ab = 0, bb = 0, ra = 0, rb = 0, rr = 0;
-    for (int k = 0; k < dimension; ++k) {
-      const double w = matcher.weight()[k], r = matcher.source()[k] - origin[k], x = fa[k] - origin[k],
-                   y = fb[k] - origin[k];
-      aa += w * x * x, ab += w * x * y, bb += w * y * y, ra += w * r * x, rb += w * r * y, rr += w * r * r;
-    }
-    const auto consider = [&](double s, double t) {
-      if (s < 0 || t < 0 || s + t > 1) return;
-      const double e = rr - 2 * (s * ra + t * rb) + s * s * aa + 2 * s * t * ab + t * t * bb;
-      if (e < least) least = e, best = {{c, a, b}, {1 - s - t, s, t}};
-    };
-    const double determinant = aa * bb - ab * ab;
-    if (determinant > 1e-12 * aa * bb) consider((ra * bb - rb * ab) / determinant, (rb * aa - ra * ab) / determinant);
-    if (aa > 0) consider(std::clamp(ra / aa, 0.0, 1.0), 0);
-    if (bb > 0) consider(0, std::clamp(rb / bb, 0.0, 1.0));
-    const double along = aa - 2 * ab + bb;  // on the edge a-b: origin moved to a
-    if (along > 0) {
-      const double t = std::clamp(((rb - ra) - (ab - aa)) / along, 0.0, 1.0);
-      consider(1 - t, t);
-    }
-  }
-  return best;
-}
-
 // How far the best point may be off, by the residual: Gauss-Newton's estimate of the position's deviation, from the
 // change of the features over the face.
 double position_uncertainty(const Surface& surface, const Features& features, const Matcher& matcher, int c,
@@ -149,25 +117,34 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 
 }  // namespace
 
-DenseMap make_dense_map(const Matching& m, const Images& images, bool noise_filter, int threads,
+DenseMap make_dense_map(const Matching& m, const Images& images, const DenseMapOptions& options, int threads,
                         const Context& context) {
   DenseMap map;
   const Features features = make_tight_features(m, images, threads);
   match(m, images, features, map, threads, context.part(0, 0.6));
   std::vector<float> wanted;  // per vertex: the features of its partner
-  if (noise_filter) {
+  if (options.noise_filter) {
     wanted = smooth_differences(m.surface, features, map.partner, threads, context);
     for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
   }
   map.point.resize(m.surface.vertices());
   map.uncertainty.resize(m.surface.vertices());
-  for_each_vertex(m.surface, features, kFine, threads, context.part(0.8, 1), [&](int v, Matcher& matcher) {
-    if (noise_filter) {
+  for_each_vertex(m.surface, features, kFine, threads, context.part(0.8, 0.85), [&](int v, Matcher& matcher) {
+    if (options.noise_filter) {
       float error;
       matcher.look_for(features.of(wanted, v));
       map.partner[v] = matcher.descend(map.partner[v], error);
     }
-    map.point[v] = on_face(m.surface, features, matcher, map.partner[v]);
+    map.point[v] = nearest_on_faces(
+        m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension, matcher.weight().data(),
+        matcher.source(), map.partner[v]);
+  });
+  if (options.spectral_refinement) {
+    SurfaceMap refined =
+        spectral_refinement(m, {std::move(map.partner), std::move(map.point)}, threads, context.part(0.85, 0.95));
+    map.partner = std::move(refined.partner), map.point = std::move(refined.point);
+  }
+  for_each_vertex(m.surface, features, kFine, threads, context.part(0.95, 1), [&](int v, Matcher& matcher) {
     matcher.look_at(v);
     map.residual[v] = matcher.error(map.partner[v]);
     map.uncertainty[v] =

@@ -17,13 +17,17 @@ struct DenseMap {
   std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face
 };
 
+struct DenseMapOptions {
+  bool noise_filter = true;  ///< average over neighbours by how much distances to a vertex's partner are off: what is
+                             ///< left is the pose's, not the vertex's; partners then are where that leads
+  bool spectral_refinement = true;  ///< then go by eigenfunctions: spectral.h
+};
+
 /// partner(v) is the vertex whose distances to the landmarks' images are most like those of v to the landmarks, and
 /// whose curvature is most like v's; near landmarks count more. Found by descent over edges from where the partners of
 /// near landmarks and of v's neighbours stand, so the work is linear in the vertices.
-/// @param noise_filter  average over neighbours by how much distances to a vertex's partner are off: what is left is
-///        the pose's, not the vertex's; partners then are where that leads
 /// @throws Cancelled
-DenseMap make_dense_map(const Matching& matching, const Images& images, bool noise_filter, int threads,
+DenseMap make_dense_map(const Matching& matching, const Images& images, const DenseMapOptions& options, int threads,
                         const Context& context = {});
 
 }  // namespace ga_symmetry

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "matching/ranking.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
+#include "ga_symmetry/errors.h"
 #include "matching/refinement.h"
 #include "util/parallel.h"
 
@@ -13,8 +17,9 @@ namespace {
 constexpr int kMaxOrder = 12;           // of rotations: of more sides than a dodecagon, 100 samples tell little
 constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours;
                                         // each application adds to it, as partners are taken by the nearest sample
-constexpr std::size_t kContenders = 3;  // survivors taken to vertex resolution to find the best
-constexpr double kClose = 1.5;          // times the best score: refinement may still change the order
+constexpr std::size_t kContenders = 6;  // survivors taken to vertex resolution to find the best
+constexpr double kTurned = 10;  // times its share of the surface: how much what is wrongly turned adds to the score
+constexpr double kClose = 1.5;  // times the best score: refinement may still change the order
 
 // How often a map over samples must be applied to come back; 0 if it does not within kMaxOrder.
 int order_of(const Sites& sites, const SampleMap& map) {
@@ -26,6 +31,24 @@ int order_of(const Sites& sites, const SampleMap& map) {
     for (int& site : at) site = map[sites.nearest_sample[site]];
   }
   return 0;
+}
+
+// Whether the samples around a reference go elsewhere than around its image: then the map is not the one that is meant.
+bool against_references(const Matching& m, const Images& images) {
+  constexpr int kAround = 6;
+  constexpr double kElsewhere = 0.15;  // units, mean difference of distances: more than lies between samples
+  const int samples = m.movable();
+  std::vector<std::pair<float, int>> near(samples);
+  for (int t = samples; t < m.count(); ++t) {
+    for (int i = 0; i < samples; ++i) near[i] = {m.landmarks.field(t, m.landmarks.vertex[i]), i};
+    const int around = std::min(kAround, samples);
+    std::partial_sort(near.begin(), near.begin() + around, near.end());
+    double off = 0;
+    for (int k = 0; k < around; ++k)
+      off += std::abs(near[k].first - images.field(t, images.vertex[near[k].second])) / m.surface.unit() / around;
+    if (off > kElsewhere) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -61,7 +84,7 @@ Mirrored mirrored_by(const Matching& m, const std::vector<int>& vertices, const 
 
 double disagreement(const Matching& m, const Sites& sites, const Images& images) {
   constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
-  constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.75;
+  constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.8;
   const Probes probes = match_probes(m, images, sites.vertex);
   double error = 0, moved = 0, unlike = 0;
   for (int k = 0; k < sites.count(); ++k) {
@@ -83,7 +106,7 @@ double disagreement(const Matching& m, const Sites& sites, const Images& images)
     const Mirrored mirrored = mirrored_by(m, sites.vertex, partners);
     doubt = 0.5 + 0.5 * std::min(1.0, std::max(mirrored.plane.misfit / kMisfit, mirrored.away / kAway));
   }
-  return doubt * (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 1.25);
+  return doubt * (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 2);
 }
 
 bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const Images& b) {
@@ -93,32 +116,58 @@ bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const
   return apart < kSame * m.surface.unit() * sites.samples;
 }
 
+double wrongly_turned(const Matching& m, const std::vector<int>& partner) {
+  const Surface& s = m.surface;
+  const auto at = [&](int v) { return Eigen::Vector3d(s.point(v)); };
+  std::vector<Eigen::Vector3d> normal(s.vertices(), Eigen::Vector3d::Zero());
+  const auto turn = [&](int a, int b, int c) -> Eigen::Vector3d { return (at(b) - at(a)).cross(at(c) - at(a)); };
+  for (int f = 0; f < s.triangles(); ++f) {
+    const int* v = &s.triangle[3 * static_cast<std::size_t>(f)];
+    const Eigen::Vector3d n = turn(v[0], v[1], v[2]);
+    for (int k = 0; k < 3; ++k) normal[v[k]] += n;
+  }
+  double wrong = 0, all = 0;
+  for (int f = 0; f < s.triangles(); ++f) {
+    const int* v = &s.triangle[3 * static_cast<std::size_t>(f)];
+    const int a = partner[v[0]], b = partner[v[1]], c = partner[v[2]];
+    const double along = turn(a, b, c).dot(normal[a] + normal[b] + normal[c]);
+    if (along == 0) continue;
+    const double area = turn(v[0], v[1], v[2]).norm();
+    all += area;
+    if ((along > 0) == m.reflection) wrong += area;
+  }
+  return all > 0 ? wrong / all : 0;
+}
+
 std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const std::vector<SampleMap>& maps,
                                  const Landmarks& reference_images, Refine refine, int threads,
                                  const Context& context) {
-  struct Survivor {
-    const SampleMap* map;
-    double score;
-  };
-  std::vector<Survivor> survivors(maps.size());
-  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
-    survivors[i] = {&maps[i], disagreement(m, sites, images_of(maps[i], sites, reference_images))};
-  });
   const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
+  std::vector<Candidate> survivors(maps.size());
+  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
+    Candidate& c = survivors[i];
+    c.images = images_of(maps[i], sites, reference_images);
+    c.order = m.reflection ? 2 : order_of(sites, maps[i]);
+    c.score = against_references(m, c.images) ? INFINITY : disagreement(m, sites, c.images);
+  });
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   if (refine == Refine::contenders) survivors.resize(std::min(kContenders, survivors.size()));
-  std::vector<Candidate> refined, out;
-  for (const Survivor& s : survivors) {
-    context.advance(static_cast<double>(refined.size()) / static_cast<double>(survivors.size()));
-    Candidate c{images_of(*s.map, sites, reference_images), m.reflection ? 2 : order_of(sites, *s.map), s.score};
-    if (refine == Refine::all || s.score < kClose * survivors[0].score) {
-      c.images = refine_images(m, std::move(c.images), threads, context);
-      c.score = disagreement(m, sites, c.images);
+  std::vector<int> all(m.surface.vertices());
+  std::iota(all.begin(), all.end(), 0);
+  const double close = survivors.empty() ? 0 : kClose * survivors[0].score;
+  parallel_for(static_cast<int>(survivors.size()), threads, [&](int i, int worker) {
+    if (worker == 0) context.advance(i / static_cast<double>(survivors.size()));  // the calling thread
+    if (context.cancelled()) throw Cancelled();
+    Candidate& c = survivors[i];
+    if (refine == Refine::all || c.score < close) {
+      c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
+      if (std::isfinite(c.score)) c.score = disagreement(m, sites, c.images);
     }
-    refined.push_back(std::move(c));
-  }
-  std::stable_sort(refined.begin(), refined.end(), by_score);
-  for (Candidate& c : refined)
+    if (m.surface.orientable) c.score *= 1 + kTurned * wrongly_turned(m, match_probes(m, c.images, all).partner);
+  });
+  std::stable_sort(survivors.begin(), survivors.end(), by_score);
+  std::vector<Candidate> out;
+  for (Candidate& c : survivors)
     if (std::none_of(out.begin(), out.end(),
                      [&](const Candidate& better) { return same_symmetry(m, sites, better.images, c.images); }))
       out.push_back(std::move(c));

@@ -37,6 +37,11 @@ Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& refe
 /// @return  >= 0, +inf if nothing is moved
 double disagreement(const Matching& matching, const Sites& sites, const Images& images);
 
+/// Share of the surface, by area, whose image lies wrong side up: a reflection turns faces over, a rotation does not.
+/// Half flips and maps from front to back have much of it, whatever distances say.
+/// @param partner  of all vertices @return  [0, 1]
+double wrongly_turned(const Matching& matching, const std::vector<int>& partner);
+
 /// Whether two maps take the samples to the same places, but for noise.
 bool same_symmetry(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
 

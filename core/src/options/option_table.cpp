@@ -110,6 +110,8 @@ std::vector<Entry> entries(Options& o) {
        "Move the samples' partners together to where distances agree best"},
       {"noise_filter", expert, kJoint, &o.noise_filter, any, "",
        "Average over neighbours by how much distances to a partner are off"},
+      {"spectral_refinement", expert, kJoint, &o.spectral_refinement, any, "",
+       "Move partners to where smooth functions on the surface agree"},
 
       {"fitness", expert, kPairs, Choice{{"squared", "linear"}, &p.error}, any, "",
        "Relative error of the distances to the axis points"},

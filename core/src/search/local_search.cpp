@@ -41,7 +41,7 @@ class Descent {
     std::vector<double> costs(sites_.samples);
     for (int i = 0; i < sites_.samples; ++i) {
       gene_.look_at(i);
-      costs[i] = gene_.cost(gene_.site());
+      costs[i] = gene_.guess(gene_.site());
     }
     const std::vector<double> z = z_scores(costs);
     int changed = 0;
@@ -54,16 +54,16 @@ class Descent {
   }
 
  private:
-  // The gene that is looked at; it stays where nothing is better.
+  // The gene that is looked at; it stays where nothing is better. A guess proposes, the exact cost decides.
   bool take_best(const int* first, const int* last) {
     const int present = gene_.site();
     int best = present;
-    float least = gene_.cost(present);
+    float least = gene_.guess(present);
     for (; first != last; ++first) {
-      const float cost = gene_.cost(*first, least);
+      const float cost = gene_.guess(*first, least);
       if (cost < least) least = cost, best = *first;
     }
-    if (best == present) return false;
+    if (best == present || gene_.cost(best) >= gene_.cost(present)) return false;
     gene_.set(best);
     open_[gene_.gene()] = true;
     for (int j : sites_.neighbors[gene_.gene()]) open_[j] = true;

@@ -193,15 +193,21 @@ GeneCost::GeneCost(const MapCost& cost, SampleMap& map)
 
 void GeneCost::look_at(int gene) {
   gene_ = gene;
+  observed_ = false;
   cost_.look_around(map_, gene, around_);
+}
+
+void GeneCost::look_at_observers() {
+  if (observed_) return;
+  observed_ = true;
   observers_.clear();
-  for (int j : sites_.observers[gene]) {
+  for (int j : sites_.observers[gene_]) {
     cost_.look_around(map_, j, around_observer_);
     Observer out{map_[j], {}, 0, 0, around_observer_.inverse_weight, around_observer_.inverse_count};
     // The map is whole, so that neighbours and what is seen of them are in the same order.
     for (std::size_t k = 0; k < around_observer_.near.size(); ++k) {
       const Vicinity::Image& n = around_observer_.near[k];
-      if (sites_.neighbors[j][k] == gene)
+      if (sites_.neighbors[j][k] == gene_)
         out.gene = n;
       else
         add_turn(n, cost_.direction(out.site, n.site), out.re, out.im);
@@ -211,7 +217,7 @@ void GeneCost::look_at(int gene) {
   returns_.clear();
   if (bijectivity_weight_ <= 0) return;
   for (int j = 0; j < sites_.samples; ++j)
-    if (j != gene && sites_.nearest_sample[map_[j]] == gene) returns_.push_back({j, sites_.distance(gene, map_[j])});
+    if (j != gene_ && sites_.nearest_sample[map_[j]] == gene_) returns_.push_back({j, sites_.distance(gene_, map_[j])});
 }
 
 float GeneCost::distance_error_to(int site, int first, int count) const {
@@ -245,22 +251,32 @@ float GeneCost::bijectivity_error(int site) const {
   return sum;
 }
 
-float GeneCost::cost(int site, float limit) const {
+float GeneCost::cost(int site) {
+  look_at_observers();
+  float total = cost_.unary()(gene_, site) + distance_weight_ * distance_error_to(site, 0, sites_.samples);
+  if (orientation_weight_ > 0) total += orientation_weight_ * orientation_error(site);
+  if (continuity_weight_ > 0) total += continuity_weight_ * continuity_error(site);
+  if (bijectivity_weight_ > 0) total += bijectivity_weight_ * bijectivity_error(site);
+  return total;
+}
+
+float GeneCost::guess(int site, float limit) const {
   const int n = sites_.samples, half = n / 2;
   // Samples come from coarse to fine, so that the first half tells most of the wrong sites.
   float total = cost_.unary()(gene_, site) + distance_weight_ * distance_error_to(site, 0, half);
   if (total >= limit) return total;
   total += distance_weight_ * distance_error_to(site, half, n - half);
   if (total >= limit) return total;
-  if (orientation_weight_ > 0) total += orientation_weight_ * orientation_error(site);
+  if (orientation_weight_ > 0) total += 2 * orientation_weight_ * cost_.orientation_error(around_, site);
   if (total >= limit) return total;
-  if (continuity_weight_ > 0) total += continuity_weight_ * continuity_error(site);
-  if (bijectivity_weight_ > 0) total += bijectivity_weight_ * bijectivity_error(site);
+  if (continuity_weight_ > 0) total += 2 * continuity_weight_ * cost_.continuity_error(around_, site);
+  if (bijectivity_weight_ > 0) total += 2 * bijectivity_weight_ * cost_.bijectivity_error(map_, gene_, site);
   return total;
 }
 
 void GeneCost::set(int site) {
   map_[gene_] = site;
+  observed_ = false;
   const std::size_t n = sites_.samples;
   for (std::size_t k = 0, at = gene_; at < image_.size(); ++k, at += n) image_[at] = sites_.distance(k, site);
   for (std::size_t k = 0, at = gene_; at < slack_.size(); ++k, at += n) slack_[at] = sites_.slack(k, site);

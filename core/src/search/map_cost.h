@@ -121,8 +121,11 @@ class GeneCost {
   void look_at(int gene);
   int gene() const { return gene_; }
   int site() const { return map_[gene_]; }
-  /// The cost at `site`; anything >= `limit` once it is known to be that.
-  float cost(int site, float limit = std::numeric_limits<float>::infinity()) const;
+  /// The cost at `site`.
+  float cost(int site);
+  /// The same, but guessing that the gene's neighbours say of it what it says of them: at a fraction of the work,
+  /// enough to propose a site. Anything >= `limit` once it is known to be that.
+  float guess(int site, float limit = std::numeric_limits<float>::infinity()) const;
   void set(int site);
 
  private:
@@ -138,6 +141,7 @@ class GeneCost {
     int sample;
     float off;  // how far its partner is from the gene's sample
   };
+  void look_at_observers();
   float distance_error_to(int site, int first, int count) const;
   float orientation_error(int site) const;
   float continuity_error(int site) const;
@@ -149,6 +153,7 @@ class GeneCost {
   std::vector<float>&image_, &slack_;  // sites x samples: distance from a site to the partner of a sample
   int gene_ = 0;
   Vicinity around_, around_observer_;
+  bool observed_ = false;  // whether the following are the gene's
   std::vector<Observer> observers_;
   std::vector<Return> returns_;
   float distance_weight_, orientation_weight_, continuity_weight_, bijectivity_weight_;

@@ -6,23 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/laplacian.h"
+
 namespace ga_symmetry {
 namespace {
 
 constexpr double kScales[kCurvatureFeatures] = {0.02, 0.04, 0.08};  // of the unit
-constexpr double kMaxCotangent = 20;                                // needles would dominate everything around them
 constexpr float kClamp = 3;
-
-// Calls body(corner, its half cotangent), for the edge opposite of the corner.
-template <class Body>
-void for_each_cotangent(const Surface& s, const Body& body) {
-  for (int corner = 0; corner < 3 * s.triangles(); ++corner) {
-    const Eigen::Vector3d p(s.point(s.triangle[corner])),
-        u = Eigen::Vector3d(s.point(s.triangle[next_corner(corner)])) - p,
-        w = Eigen::Vector3d(s.point(s.triangle[previous_corner(corner)])) - p;
-    body(corner, 0.5 * std::clamp(u.dot(w) / u.cross(w).norm(), -kMaxCotangent, kMaxCotangent));
-  }
-}
 
 }  // namespace
 
@@ -42,40 +32,24 @@ std::vector<double> integrated_mean_curvature(const Surface& s) {
 }
 
 struct HeatDiffusion::Matrices {
-  Eigen::SparseMatrix<double> stiffness, mass;
+  Laplacian laplacian;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
 };
 
 HeatDiffusion::HeatDiffusion(const Surface& s) : unit_(s.unit()), matrices_(std::make_unique<Matrices>()) {
-  const int n = s.vertices();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(12) * s.triangles());
-  for_each_cotangent(s, [&](int corner, double weight) {
-    const int a = s.triangle[next_corner(corner)], b = s.triangle[previous_corner(corner)];
-    // Without negative weights the diffusion keeps to the range of its source, whatever the triangles.
-    weight = std::max(weight, 0.0);
-    entries.emplace_back(a, a, weight);
-    entries.emplace_back(b, b, weight);
-    entries.emplace_back(a, b, -weight);
-    entries.emplace_back(b, a, -weight);
-  });
-  Matrices& m = *matrices_;
-  m.stiffness.resize(n, n);
-  m.stiffness.setFromTriplets(entries.begin(), entries.end());
-  m.mass.resize(n, n);
-  m.mass.setIdentity();
-  for (int v = 0; v < n; ++v) m.mass.coeffRef(v, v) = s.vertex_area[v];
-  m.solver.analyzePattern(m.stiffness + m.mass);
+  matrices_->laplacian = cotangent_laplacian(s);
+  matrices_->solver.analyzePattern(matrices_->laplacian.stiffness + matrices_->laplacian.mass);
 }
 HeatDiffusion::~HeatDiffusion() = default;
 
 Eigen::VectorXd HeatDiffusion::spread(const Eigen::VectorXd& source, double length) {
-  matrices_->solver.factorize(matrices_->mass + length * length * unit_ * unit_ * matrices_->stiffness);
+  const auto& [stiffness, mass] = matrices_->laplacian;
+  matrices_->solver.factorize(mass + length * length * unit_ * unit_ * stiffness);
   return matrices_->solver.solve(source);
 }
 
 Eigen::VectorXd HeatDiffusion::smooth(const Eigen::VectorXd& values, double length) {
-  return spread(matrices_->mass * values, length);
+  return spread(matrices_->laplacian.mass * values, length);
 }
 
 CurvatureFeatures curvature_features(const Surface& s, HeatDiffusion& diffusion) {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "matching/spectral.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ga_symmetry/errors.h"
+#include "matching/face_point.h"
+#include "surface/laplacian.h"
+#include "surface/neighbors.h"
+#include "util/parallel.h"
+
+namespace ga_symmetry {
+namespace {
+
+// How many functions one step after the other goes by. Fewer would forget what distances have found; more than these
+// took as long as all before them, for 2 % of the error.
+constexpr std::array kFunctions{40, 60, 90, 120, 160};
+
+using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Rows at_points(const Rows& of_vertex, const std::vector<SurfacePoint>& points) {
+  Rows out(of_vertex.rows(), of_vertex.cols());
+  for (Eigen::Index v = 0; v < out.rows(); ++v) {
+    const auto& [corner, weight] = points[v];
+    out.row(v) = static_cast<float>(weight[0]) * of_vertex.row(corner[0]);
+    for (int k = 1; k < 3; ++k)
+      if (weight[k] != 0) out.row(v) += static_cast<float>(weight[k]) * of_vertex.row(corner[k]);
+  }
+  return out;
+}
+
+}  // namespace
+
+SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, const Context& context) {
+  constexpr int kVertices = 256;
+  const Surface& surface = m.surface;
+  const int n = surface.vertices();
+  const Rows functions = eigenfunctions(surface, kFunctions.back(), threads, context);
+  if (functions.cols() < kFunctions.front()) return map;
+  const Eigen::Map<const Eigen::VectorXd> area(surface.vertex_area.data(), n);
+  const Eigen::VectorXf share = (area / surface.area).cast<float>();
+  for (const int k : kFunctions) {
+    if (k > functions.cols()) break;
+    const Rows from = functions.leftCols(k);
+    Eigen::MatrixXf matrix = from.transpose() * (share.asDiagonal() * at_points(from, map.point));
+    if (m.reflection) matrix = (matrix + matrix.transpose()).eval() / 2;
+    const Rows to = from * matrix.transpose();
+    const std::vector<float> even(k, 1.f);
+    const auto error = [&](int v, int c) { return (from.row(v) - to.row(c)).squaredNorm(); };
+    const auto descend = [&](int v, int c, float& least) {
+      least = error(v, c);
+      for (bool moved = true; moved;) {
+        moved = false;
+        for_each_neighbor(surface, c, [&](int w) {
+          const float e = error(v, w);
+          if (e < least || (e == least && w < c)) least = e, c = w, moved = true;
+        });
+      }
+      return c;
+    };
+    const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
+    parallel_for((n + kVertices - 1) / kVertices, threads, [&](int block, int) {
+      if (context.cancelled()) throw Cancelled();
+      for (int v = block * kVertices; v < std::min(n, (block + 1) * kVertices); ++v) {
+        float least;
+        int best = descend(v, before[v], least);
+        for_each_neighbor(surface, v, [&](int w) {
+          if (before[w] == best || error(v, before[w]) > 4 * least) return;
+          float e;
+          const int c = descend(v, before[w], e);
+          if (e < least || (e == least && c < best)) least = e, best = c;
+        });
+        map.partner[v] = best;
+        map.point[v] = nearest_on_faces(
+            surface, [&](int c) { return to.row(c).data(); }, k, even.data(), from.row(v).data(), best);
+      }
+    });
+  }
+  return map;
+}
+
+}  // namespace ga_symmetry
