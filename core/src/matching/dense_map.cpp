@@ -139,6 +139,7 @@ DenseMap make_dense_map(const Matching& m, const Images& images, const DenseMapO
         m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension, matcher.weight().data(),
         matcher.source(), map.partner[v]);
   });
+  map.by_distances = map.partner;
   if (options.spectral_refinement) {
     SurfaceMap refined =
         spectral_refinement(m, {std::move(map.partner), std::move(map.point)}, threads, context.part(0.85, 0.95));

@@ -15,6 +15,7 @@ struct DenseMap {
   std::vector<float> residual;      ///< per vertex: how badly distances and curvature agree there, as Probes::error
   std::vector<float> uncertainty;   ///< per vertex: how far off the partner may be by that residual, in units
   std::vector<SurfacePoint> point;  ///< per vertex: the partner on a face
+  std::vector<int> by_distances;    ///< per vertex: the partner before spectral refinement
 };
 
 struct DenseMapOptions {

@@ -13,17 +13,21 @@ std::vector<double> vertex_fitness(const Matching& m, const DenseMap& map, HeatD
   constexpr double kStretch = 0.04, kUncertainty = 0.2, kSmooth = 0.025;
   // Partners are vertices: an edge may well shrink to nothing, and that says little.
   constexpr double kShrunk = 0.3;
+  // Spectral refinement makes any map smooth and its own inverse: whether it holds together is asked of the one before.
   const Surface& surface = m.surface;
   const DistanceFields& fields = m.landmarks.field;
   const int n = surface.vertices(), corners = 3 * surface.triangles();
-  std::vector<float> off(n, 0.f), stretched(corners, 0.f);
+  std::vector<float> off(n, 0.f), apart(n, 0.f), stretched(corners, 0.f);
   for (Eigen::Index i = 0; i < fields.rows(); ++i) {
     const float* field = fields.row(i).data();
     if (m.reflection)
-      for (int v = 0; v < n; ++v) off[v] = std::max(off[v], std::abs(field[v] - field[map.partner[map.partner[v]]]));
+      for (int v = 0; v < n; ++v)
+        off[v] = std::max(off[v], std::abs(field[v] - field[map.by_distances[map.by_distances[v]]]));
+    for (int v = 0; v < n; ++v)
+      apart[v] = std::max(apart[v], std::abs(field[map.by_distances[v]] - field[map.partner[v]]));
     for (int c = 0; c < corners; ++c)
-      stretched[c] = std::max(stretched[c], std::abs(field[map.partner[surface.triangle[c]]] -
-                                                     field[map.partner[surface.triangle[next_corner(c)]]]));
+      stretched[c] = std::max(stretched[c], std::abs(field[map.by_distances[surface.triangle[c]]] -
+                                                     field[map.by_distances[surface.triangle[next_corner(c)]]]));
   }
   std::vector<double> stretch(n, 0.0);
   std::vector<int> edges(n, 0);
@@ -34,7 +38,8 @@ std::vector<double> vertex_fitness(const Matching& m, const DenseMap& map, HeatD
   }
   Eigen::VectorXd out(n);
   for (int v = 0; v < n; ++v)
-    out[v] = off[v] / surface.unit() + kStretch * stretch[v] / edges[v] + kUncertainty * map.uncertainty[v];
+    out[v] =
+        (off[v] + apart[v]) / surface.unit() + kStretch * stretch[v] / edges[v] + kUncertainty * map.uncertainty[v];
   out = diffusion.smooth(out, kSmooth).cwiseMax(0);
   return {out.begin(), out.end()};
 }
