@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +30,17 @@
 
 namespace ga_symmetry {
 
-const char* to_string(SymmetryKind kind) { return kind == SymmetryKind::reflection ? "reflection" : "rotation"; }
+const char* to_string(SymmetryKind kind) {
+  switch (kind) {
+    case SymmetryKind::reflection:
+      return "reflection";
+    case SymmetryKind::rotation:
+      return "rotation";
+    case SymmetryKind::any:
+      return "any";
+  }
+  return "";
+}
 
 const char* to_string(StopReason reason) {
   switch (reason) {
@@ -49,7 +60,7 @@ namespace {
 constexpr int kNeighbors = 8;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
-constexpr double kDoubtful = 0.2;  // confidence below which the user is told to look
+constexpr double kDoubtful = 0.75;  // confidence below which the user is told to look: docs/search.md
 // Weight of the curvature in the second adjustment. In the first it has none: from afar it leads to the wrong place.
 constexpr double kAdjustCurvature = 0.006;
 
@@ -105,31 +116,62 @@ Landmarks make_landmarks(const Sites& sites, const Landmarks& references) {
   return images_of(itself, sites, references);
 }
 
-Survey survey_symmetries(const Measured& measured, const SurfaceReferences& references, const Options& options,
-                         Refine refine, const Context& context, StageClock& clock) {
+// @param kind  not `any`
+Survey survey_kind(const Measured& measured, const SurfaceReferences& references, SymmetryKind kind,
+                   const Options& options, Refine refine, const Context& context, StageClock& clock) {
   const Sites& sites = measured.sites;
   context.report(0, "search");
-  const Anchors anchors = make_anchors(references, options.symmetry, measured.solver, options.threads);
-  const JointProblem problem(sites, measured.surface, options.symmetry, anchors, options.joint);
+  const Anchors anchors = make_anchors(references, kind, measured.solver, options.threads);
+  const JointProblem problem(sites, measured.surface, kind, anchors, options.joint);
   Random random(options.seed);
   std::vector<SampleMap> seeds;
   constexpr int kPlanes = 6;  // more than solids of CAD have that differ
-  if (options.symmetry == SymmetryKind::reflection)
+  if (kind == SymmetryKind::reflection)
     for (const MirrorPlane& plane : measured.planes.search(kPlanes))
       seeds.push_back(measured.planes.map(plane, sites.samples));
   JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7), std::move(seeds));
   clock.stage_done("search");
 
   context.report(0.7, "refinement");
-  Survey out{
-      {measured.surface, measured.solver, measured.shortcuts, measured.curvature, make_landmarks(sites, anchors.from),
-       anchors.count(), options.symmetry == SymmetryKind::reflection, &measured.planes},
-      {},
-      std::move(search.log),
-      search.stop};
+  Survey out{{measured.surface, measured.solver, measured.shortcuts, measured.curvature,
+              make_landmarks(sites, anchors.from), anchors.count(), kind == SymmetryKind::reflection, &measured.planes},
+             {},
+             std::move(search.log),
+             search.stop};
   out.ranking = rank_maps(out.matching, sites, search.maps, anchors.image, refine, options.threads,
                           context.part(0.8, 1, "refinement"));
+  clock.stage_done("choice");
   return out;
+}
+
+// The symmetries of the kind that is searched for. Of any kind: reflections, unless none fits and a rotation fits
+// plainly better; nothing is searched for in vain.
+std::unique_ptr<Survey> survey_symmetries(const Measured& measured, const SurfaceReferences& references,
+                                          const Options& options, Refine refine, const Context& context,
+                                          StageClock& clock) {
+  // Scores: of poses that are symmetric some 0.02, of right maps in hard poses up to 0.1, of wrong ones from 0.1.
+  constexpr double kFits = 0.1, kPlainlyBetter = 0.5;
+  const auto survey = [&](SymmetryKind kind, double begin, double end) {
+    return std::make_unique<Survey>(
+        survey_kind(measured, references, kind, options, refine, context.part(begin, end), clock));
+  };
+  const auto score = [](const Survey& s) { return s.ranking.empty() ? INFINITY : s.ranking[0].score; };
+  if (options.symmetry != SymmetryKind::any) return survey(options.symmetry, 0, 1);
+  const bool given = !references.axis.empty() || !references.pairs.empty();
+  auto reflections = survey(SymmetryKind::reflection, 0, given ? 1 : 0.5);
+  if (given || score(*reflections) < kFits) return reflections;
+  auto rotations = survey(SymmetryKind::rotation, 0.5, 1);
+  return score(*rotations) < kPlainlyBetter * score(*reflections) ? std::move(rotations) : std::move(reflections);
+}
+
+// What to tell the user, with the remedy.
+std::string why_doubtful(const std::vector<Candidate>& ranking, bool references) {
+  constexpr double kAlmost = 1.3;
+  if (ranking.size() > 1 && ranking[1].score < kAlmost * ranking[0].score)
+    return std::string("two symmetries fit almost equally well; look at the result, for the other ") +
+           (references ? "give more references" : "give references or take rank 2");
+  return std::string("no symmetry fits well, this is the one that fits best; look at the result, and ") +
+         (references ? "check the references" : "give references if the shape has one");
 }
 
 // All that is done on the searched surface, in its vertices.
@@ -140,24 +182,25 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
   Measured measured(surface, options, context.part(0.02, 0.4));
   clock.stage_done("distances");
 
-  Survey survey = survey_symmetries(measured, references, options, options.rank == 1 ? Refine::contenders : Refine::all,
-                                    context.part(0.4, 0.7), clock);
-  const Matching& matching = survey.matching;
-  std::vector<Candidate>& ranking = survey.ranking;
+  const std::unique_ptr<Survey> survey =
+      survey_symmetries(measured, references, options, options.rank == 1 ? Refine::contenders : Refine::all,
+                        context.part(0.4, 0.7), clock);
+  const Matching& matching = survey->matching;
+  std::vector<Candidate>& ranking = survey->ranking;
+  out.kind = matching.reflection ? SymmetryKind::reflection : SymmetryKind::rotation;
   if (ranking.empty()) throw InvalidMesh(kNoSymmetry);
   if (options.rank > static_cast<int>(ranking.size()))
     throw InvalidOption("rank must be at most " + std::to_string(ranking.size()) +
                         ", the number of symmetries found, got " + std::to_string(options.rank));
   for (const Candidate& c : ranking)
-    out.symmetries.push_back({options.symmetry, c.order, static_cast<int>(out.symmetries.size()) + 1, c.score});
-  out.confidence = confidence_of(ranking);
-  if (matching.fixed == 0 && options.rank == 1 && out.confidence < kDoubtful)
-    out.warnings.push_back("two symmetries fit almost equally well (confidence " +
-                           std::to_string(out.confidence).substr(0, 4) +
-                           "): look at the result; for the other give references or take rank 2");
+    out.symmetries.push_back({out.kind, c.order, static_cast<int>(out.symmetries.size()) + 1, c.score});
+  out.confidence = confidence_of(ranking) * (surface.orientable ? 1 : 0.5);  // orientation tells half of what is wrong
+  if (options.rank == 1 && out.confidence < kDoubtful)
+    out.warnings.push_back("doubtful, confidence " + std::to_string(out.confidence).substr(0, 4) + ": " +
+                           why_doubtful(ranking, matching.fixed > 0));
   out.order = ranking[options.rank - 1].order;
-  out.log = std::move(survey.log);
-  out.stop = survey.stop;
+  out.log = std::move(survey->log);
+  out.stop = survey->stop;
 
   Images images = std::move(ranking[options.rank - 1].images);
   if (options.local_refinement) {
@@ -235,11 +278,12 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
                             ? find_by_pairs(search.searched(), references, options, context, clock)
                             : find_jointly(search.searched(), references, options,
                                            search.direct() ? context : context.part(0.2, 0.8), clock);
+  const SymmetryKind kind = found.kind;
   // Of a mesh in parts this is the only surface in one piece.
   if (search.parts() > 1 && !found.left_right.empty()) connect_sides(search.searched(), found.left_right);
   if (!search.direct()) {
     context.report(0.8, "all vertices");
-    found = prolongate(std::move(found), search, options.symmetry == SymmetryKind::reflection, options.threads,
+    found = prolongate(std::move(found), search, kind == SymmetryKind::reflection, options.threads,
                        context.part(0.8, 0.95));
     clock.stage_done("all vertices");
   }
@@ -253,7 +297,7 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
 
   Result result = to_mesh(std::move(found), std::move(division.axis), search.of_mesh(), options.max_fitness);
   result.surface = search.summary();
-  result.kind = options.symmetry;
+  result.kind = kind;
   result.seed = options.seed;
   result.axis_references = options.references.axis;
   result.pair_references = options.references.pairs;
@@ -267,7 +311,8 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
 }
 
 std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options options, const Context& context) {
-  constexpr double kWorthListing = 2;  // times the best score: what is worse is no symmetry
+  // Times the best score, but never below what samples alone make of an exact symmetry: what is worse is none.
+  constexpr double kWorthListing = 2, kNoise = 0.02;
   options.method = Method::joint;
   check_options(options);
   std::vector<StageTime> seconds;
@@ -279,16 +324,15 @@ std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options opt
   const Measured measured(search.searched(), options, context.part(0.2, 0.5));
   std::vector<FoundSymmetry> out;
   for (SymmetryKind kind : {SymmetryKind::reflection, SymmetryKind::rotation}) {
-    options.symmetry = kind;
     const double begin = kind == SymmetryKind::reflection ? 0.5 : 0.75;
     const Survey survey =
-        survey_symmetries(measured, references, options, Refine::all, context.part(begin, begin + 0.25), clock);
+        survey_kind(measured, references, kind, options, Refine::all, context.part(begin, begin + 0.25), clock);
     int rank = 0;
     for (const Candidate& c : survey.ranking) out.push_back({kind, c.order, ++rank, c.score});
   }
   if (out.empty()) throw InvalidMesh(kNoSymmetry);
   std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
-  const double most = kWorthListing * out[0].score;
+  const double most = kWorthListing * std::max(kNoise, out[0].score);
   out.erase(std::remove_if(out.begin(), out.end(), [&](const auto& f) { return f.score > most; }), out.end());
   return out;
 }

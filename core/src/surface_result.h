@@ -19,8 +19,9 @@ struct SurfaceResult {
   std::vector<float> left_right;    ///< per vertex: how much nearer to the left than to the right; empty for a rotation
   std::vector<SymmetricPair> pairs;       ///< the samples and their partners
   std::vector<FoundSymmetry> symmetries;  ///< distinct ones, best first
-  int order = 2;                          ///< of the one taken
-  double confidence = 1;                  ///< as Result::confidence
+  SymmetryKind kind = SymmetryKind::reflection;
+  int order = 2;          ///< of the one taken
+  double confidence = 1;  ///< as Result::confidence
   std::vector<GenerationLog> log;
   StopReason stop = StopReason::max_generations;
   std::optional<MirrorPlane> mirror;  ///< mirrors the surface as it stands, with the same partners

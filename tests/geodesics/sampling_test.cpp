@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
+#include "ga_symmetry/samples.h"
 #include "shapes.h"
 
 namespace ga_symmetry {
@@ -172,6 +173,24 @@ TEST_F(Sampled, StopWhenAskedTo) {
   context.cancel = &cancel;
   EXPECT_THROW(evenly_spaced_samples(surface, solver, 10, 1, context), Cancelled);
   EXPECT_THROW(farthest_points(surface, solver, {1, 2, 3}, 3, context), Cancelled);
+}
+
+TEST(SpacedSamples, VerticesSplitAlongSeamsAreOfOnePatch) {
+  const TriangleMesh mesh = lopsided();
+  TriangleMesh split;
+  std::vector<int> place;
+  for (const int v : mesh.triangle) {
+    split.triangle.push_back(static_cast<int>(place.size()));
+    place.push_back(v);
+    for (int k = 0; k < 3; ++k) split.position.push_back(mesh.position[3 * static_cast<std::size_t>(v) + k]);
+  }
+  const SpacedSamples samples = spaced_samples(split, 12);
+  std::vector<int> patch(mesh.vertices(), -1);
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    ASSERT_GE(samples.patch[c], 0);
+    if (patch[place[c]] < 0) patch[place[c]] = samples.patch[c];
+    ASSERT_EQ(samples.patch[c], patch[place[c]]);
+  }
 }
 
 }  // namespace

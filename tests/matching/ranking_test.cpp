@@ -172,19 +172,47 @@ TEST(RankMaps, RotationsKnowTheirOrder) {
   EXPECT_EQ(order(kAround / 4), 4);
 }
 
-TEST(Confidence, IsTheRelativeLeadOfTheBest) {
+// A third of a turn and its inverse are one symmetry, whichever comes first, and turn the same way.
+TEST(RankMaps, ARotationAndItsInverseStandOnceAndTheIdentityNever) {
+  constexpr int kAround = 48, kAlong = 16;
+  shapes::Symmetric torus{};
+  torus.mesh = shapes::torus(kAround, kAlong);
+  const Scene s(torus);
+  const auto turned = [&](int steps) {
+    return s.map_by([&](int v) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; });
+  };
+  const SampleMap there = turned(kAround / 3), back = turned(2 * kAround / 3), stays = turned(0);
+  std::vector<Images> found;
+  for (const std::vector<SampleMap>& maps : {std::vector{there, back, stays}, std::vector{back, stays, there}}) {
+    const auto ranking = rank_maps(s.matching(false), s.sites, maps, s.no_references, Refine::all, 1);
+    ASSERT_EQ(ranking.size(), 1u);
+    EXPECT_EQ(ranking[0].order, 3);
+    found.push_back(ranking[0].images);
+  }
+  EXPECT_TRUE(same_symmetry(s.matching(false), s.sites, found[0], found[1]));
+  EXPECT_TRUE(rank_maps(s.matching(false), s.sites, {stays}, s.no_references, Refine::all, 1).empty());
+}
+
+TEST(Confidence, GrowsWithTheLeadOfTheBest) {
   const auto confidence = [](const std::vector<double>& scores) {
     std::vector<Candidate> ranking;
     for (const double score : scores) ranking.push_back({{}, 2, score});
     return confidence_of(ranking);
   };
-  EXPECT_EQ(confidence({0.1}), 1);
-  EXPECT_EQ(confidence({0.1, 0.4}), 0.75);
-  EXPECT_EQ(confidence({0.1, 0.1}), 0);
-  EXPECT_EQ(confidence({0, 0}), 0) << "two perfect symmetries: no telling which";
-  EXPECT_EQ(confidence({0, 0.1}), 1);
-  EXPECT_EQ(confidence({0.1, INFINITY}), 1);
+  EXPECT_GT(confidence({0.02}), 0.99) << "nothing else, and it fits";
+  EXPECT_LT(confidence({0.4}), 0.2) << "nothing else, but this is no symmetry either";
+  EXPECT_GT(confidence({0.02, 0.1}), 0.99);
+  EXPECT_NEAR(confidence({0.02, 0.02}), 0.5, 0.1) << "no telling which";
+  EXPECT_EQ(confidence({0.02, 0.02}), confidence({0.05, 0.05}));
+  EXPECT_EQ(confidence({0, 0}), confidence({0.02, 0.02})) << "two perfect ones";
+  EXPECT_EQ(confidence({0.02, INFINITY}), confidence({0.02}));
   EXPECT_EQ(confidence({INFINITY, INFINITY}), 0);
+  EXPECT_EQ(confidence({}), 0);
+  double before = 0;
+  for (const double next : {0.02, 0.03, 0.05, 0.1}) {
+    EXPECT_GT(confidence({0.02, next}), before);
+    before = confidence({0.02, next});
+  }
 }
 
 }  // namespace

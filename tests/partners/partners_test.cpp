@@ -138,6 +138,32 @@ TEST_P(AsymmetryOf, ZeroWithoutAPartnerAndScaleFree) {
   for (std::size_t v = 0; v < values.size(); ++v) ASSERT_NEAR(moved[v], values[v], 1e-2 * (1 + std::abs(values[v])));
 }
 
+// Every face has vertices of its own: what stands at one place is worth the same.
+TEST_P(AsymmetryOf, VerticesSplitAlongSeamsAreWorthTheSame) {
+  const shapes::Symmetric& shape = creature().straight;
+  const int arm = creature().partners.side[shape.pair[0]] > 0 ? shape.pair[0] : shape.pair[1];
+  const TriangleMesh mesh = with_swelling(shape, arm, 0.4);
+  const Partners& whole = creature().partners;
+  TriangleMesh split;
+  std::vector<int> place, corner(mesh.vertices());
+  for (const int v : mesh.triangle) {
+    corner[v] = static_cast<int>(place.size());
+    split.triangle.push_back(corner[v]);
+    place.push_back(v);
+    for (int k = 0; k < 3; ++k) split.position.push_back(mesh.position[3 * static_cast<std::size_t>(v) + k]);
+  }
+  Partners partners;
+  for (const int v : place) {
+    partners.partner.push_back(corner[whole.partner[v]]);
+    partners.fitness.push_back(whole.fitness[v]);
+    partners.side.push_back(whole.side[v]);
+  }
+  AsymmetryOptions options;
+  options.measure = GetParam();
+  const auto expected = asymmetry(mesh, whole, options), values = asymmetry(split, partners, options);
+  for (std::size_t c = 0; c < place.size(); ++c) ASSERT_NEAR(values[c], expected[place[c]], 1e-3) << c;
+}
+
 INSTANTIATE_TEST_SUITE_P(Measures, AsymmetryOf,
                          testing::Values(AsymmetryMeasure::area, AsymmetryMeasure::length,
                                          AsymmetryMeasure::curvature));

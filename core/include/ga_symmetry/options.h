@@ -56,11 +56,11 @@ struct JointOptions {
 
 /// What can be chosen of find_symmetry.
 struct Options {
-  Method method = Method::joint;                     ///< how partners are searched for
-  SymmetryKind symmetry = SymmetryKind::reflection;  ///< what is searched for
-  References references;                             ///< what is known; empty = automatic
-  std::uint64_t seed = 1;                            ///< same seed + mesh + build => same bytes, whatever `threads`
-  int threads = 0;                                   ///< 0 = all cores, [0, 256]; speed only, never results
+  Method method = Method::joint;              ///< how partners are searched for
+  SymmetryKind symmetry = SymmetryKind::any;  ///< what is searched for; with references `any` is a reflection
+  References references;                      ///< what is known; empty = automatic
+  std::uint64_t seed = 1;                     ///< same seed + mesh + build => same bytes, whatever `threads`
+  int threads = 0;                            ///< 0 = all cores, [0, 256]; speed only, never results
   int proxy = 3000;  ///< a mesh of more than 1.3 times as many vertices is searched on a simplified one of so many, and
                      ///< the result carried back; [1000, 1000000], 0 = never; method joint only
   int rank = 1;      ///< 1 = the best of the symmetries found, 2 = the next best, ..., [1, 30]; method joint only

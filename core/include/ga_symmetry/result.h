@@ -14,6 +14,7 @@ namespace ga_symmetry {
 enum class SymmetryKind {
   reflection,  ///< turns it over, as left and right hand
   rotation,    ///< keeps it
+  any,         ///< of what is searched for, never of what is found: a reflection where one fits, else the better kind
 };
 /// Why a genetic search ended.
 enum class StopReason {
@@ -71,7 +72,7 @@ struct Result {
   std::vector<SymmetricPair> pairs;                 ///< the samples and their partners
   std::vector<std::vector<SurfacePoint>> axis;      ///< polylines on the surface; a closed one repeats its first point
   std::vector<FoundSymmetry> symmetries;            ///< distinct ones of this kind, best first
-  double confidence = 1;                            ///< [0,1]: how far the best is ahead of the runner-up
+  double confidence = 1;                            ///< [0,1]: the chance that the map is right
   std::vector<int> axis_references;                 ///< as used
   std::vector<std::array<int, 2>> pair_references;  ///< as used
 

@@ -14,7 +14,8 @@ SpacedSamples spaced_samples(const TriangleMesh& mesh, int count, bool largest_c
   SpacedSamples out;
   out.warnings = surface.notes;
   out.patch.assign(static_cast<std::size_t>(mesh.vertices()), -1);
-  for (int v = 0; v < surface.vertices(); ++v) out.patch[surface.mesh_vertex[v]] = patch[v];
+  for (int m = 0; m < mesh.vertices(); ++m)
+    if (surface.surface_vertex[m] >= 0) out.patch[m] = patch[surface.surface_vertex[m]];
   for (const int v : samples.vertex) out.vertex.push_back(surface.mesh_vertex[v]);
   return out;
 }

@@ -51,6 +51,31 @@ bool against_references(const Matching& m, const Images& images) {
   return false;
 }
 
+// Whether a rotation turns the samples as they stand clockwise, seen from the positive end of the coordinate axis that
+// is nearest to what it turns about.
+bool turns_clockwise(const Matching& m, const Images& images) {
+  const auto at = [&](int v) { return Eigen::Vector3d(m.surface.point(v)); };
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), turn = centre;
+  for (int i = 0; i < m.movable(); ++i) centre += at(m.landmarks.vertex[i]) / m.movable();
+  for (int i = 0; i < m.movable(); ++i)
+    turn += (at(m.landmarks.vertex[i]) - centre).cross(at(images.vertex[i]) - centre);
+  Eigen::Index axis;
+  turn.cwiseAbs().maxCoeff(&axis);
+  return turn[axis] < 0;
+}
+
+// The way back: a sample goes to the one whose image is nearest to it, then to where distances agree best.
+Images inverted(const Matching& m, const Images& images, int threads, const Context& context) {
+  Images out = images;
+  for (int i = 0; i < m.movable(); ++i) {
+    Eigen::Index nearest;
+    images.field.col(m.landmarks.vertex[i]).head(m.movable()).minCoeff(&nearest);
+    out.vertex[i] = m.landmarks.vertex[nearest];
+    out.field.row(i) = m.landmarks.field.row(nearest);
+  }
+  return refine_images(m, std::move(out), threads, {nullptr, context.cancel});
+}
+
 }  // namespace
 
 Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& reference_images) {
@@ -139,6 +164,14 @@ double wrongly_turned(const Matching& m, const std::vector<int>& partner) {
   return all > 0 ? wrong / all : 0;
 }
 
+bool inverse_symmetries(const Matching& m, const Sites& sites, const Images& a, const Images& b) {
+  constexpr double kBack = 0.14;  // mean distance, in units: each of two applications is off by up to half a sample
+  double away = 0;
+  for (int i = 0; i < sites.samples; ++i)
+    away += b.field(sites.nearest_sample[sites.nearest[a.vertex[i]]], m.landmarks.vertex[i]);
+  return away < kBack * m.surface.unit() * sites.samples;
+}
+
 std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const std::vector<SampleMap>& maps,
                                  const Landmarks& reference_images, Refine refine, int threads,
                                  const Context& context) {
@@ -167,17 +200,29 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
   });
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   std::vector<Candidate> out;
-  for (Candidate& c : survivors)
-    if (std::none_of(out.begin(), out.end(),
-                     [&](const Candidate& better) { return same_symmetry(m, sites, better.images, c.images); }))
-      out.push_back(std::move(c));
+  for (Candidate& c : survivors) {
+    if (c.order == 1) continue;  // the identity is no answer
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Candidate& better) {
+      return same_symmetry(m, sites, better.images, c.images) ||
+             (!m.reflection && inverse_symmetries(m, sites, better.images, c.images));
+    });
+    if (known) continue;
+    if (!m.reflection && c.order != 2 && turns_clockwise(m, c.images))
+      c.images = inverted(m, c.images, threads, context);
+    out.push_back(std::move(c));
+  }
   return out;
 }
 
 double confidence_of(const std::vector<Candidate>& ranking) {
-  if (ranking.size() < 2) return 1;
-  const double best = ranking[0].score, next = ranking[1].score;
-  return best < next ? 1 - best / next : 0;
+  // Logistic regression on whether answers were right; docs/search.md says on which, and how well it holds on others.
+  constexpr double kNearTie = 0.2, kLead = 3.4;
+  constexpr double kWrong = 0.2;   // score of a map that is none: what no symmetry is found for has such maps, too
+  constexpr double kExact = 1e-6;  // below, scores are rounding
+  if (ranking.empty()) return 0;
+  const double best = std::max(kExact, ranking[0].score);
+  const double next = std::max(kExact, std::min(kWrong, ranking.size() < 2 ? kWrong : ranking[1].score));
+  return 1 / (1 + std::exp(-kNearTie) * std::pow(best / next, kLead));
 }
 
 }  // namespace ga_symmetry

@@ -45,17 +45,22 @@ double wrongly_turned(const Matching& matching, const std::vector<int>& partner)
 /// Whether two maps take the samples to the same places, but for noise.
 bool same_symmetry(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
 
+/// Whether one map takes the samples back to where the other has taken them from, but for noise.
+bool inverse_symmetries(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
+
 enum class Refine {
   contenders,  ///< the best few, and of them those that may be the best: enough to know which is
   all
 };
-/// The maps at vertex resolution, best first, without those that are the same symmetry as a better one.
+/// The maps at vertex resolution, best first, without the identity and those that are the same symmetry as a better
+/// one. A rotation and its inverse are one, turned counter-clockwise as the samples stand, seen from the positive end
+/// of the coordinate axis that is nearest to what it turns about.
 /// @throws Cancelled
 std::vector<Candidate> rank_maps(const Matching& matching, const Sites& sites, const std::vector<SampleMap>& maps,
                                  const Landmarks& reference_images, Refine refine, int threads,
                                  const Context& context = {});
 
-/// How far ahead the best is of the runner-up, [0,1]; 1 where there is none.
+/// The chance that the best is right, [0,1], by how far it is ahead of the runner-up and of what is no symmetry at all.
 double confidence_of(const std::vector<Candidate>& ranking);
 
 }  // namespace ga_symmetry

@@ -67,8 +67,8 @@ std::vector<Entry> entries(Options& o) {
   return {
       {"references", basic, kAlways, &o.references, any, "References",
        "a0,a1,l,r: axis points, a left-right pair; or 3,8,12:57,90:4"},
-      {"symmetry", basic, kFind, Choice{{"reflection", "rotation"}, &o.symmetry}, any, "Symmetry",
-       "A reflection swaps left and right; a rotation takes every vertex to the next one"},
+      {"symmetry", basic, kFind, Choice{{"reflection", "rotation", "any"}, &o.symmetry}, any, "Symmetry",
+       "A reflection swaps left and right, a rotation turns; any: what fits"},
       {"largest_component", basic, kAlways, &o.largest_component, any, "Only the largest component",
        "Work on the largest component instead of refusing a mesh of several"},
       {"method", basic, kFind, Choice{{"joint", "pairs"}, &o.method}, any, "Method",
@@ -341,7 +341,7 @@ void check_options(const Options& options) {
     throw InvalidOption("joint_sites must be at least joint_samples, which is " + number_text(o.joint.samples) +
                         ", got " + number_text(o.joint.sites));
   if (o.method == Method::pairs) {
-    if (o.symmetry != SymmetryKind::reflection)
+    if (o.symmetry == SymmetryKind::rotation)
       throw InvalidOption("the method `pairs` finds reflections only: use the method `joint` for rotations");
     if (o.references.axis.size() != 2 || o.references.pairs.size() != 1)
       throw InvalidOption("the method `pairs` needs four references, two on the axis and one pair (a0,a1,l,r)");

@@ -79,7 +79,7 @@ std::vector<double> asymmetry(const TriangleMesh& mesh, const Partners& partners
     Disc own, other;
   };
   std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(thread_count(options.threads)));
-  std::vector<double> out(static_cast<std::size_t>(mesh.vertices()), 0.0);
+  std::vector<double> values(static_cast<std::size_t>(surface.vertices()), 0.0);
   parallel_for(surface.vertices(), options.threads, [&](int v, int number) {
     if (context.cancelled()) throw Cancelled();
     if (number == 0) context.report(static_cast<double>(v) / surface.vertices(), "asymmetry");  // the calling thread
@@ -88,7 +88,7 @@ std::vector<double> asymmetry(const TriangleMesh& mesh, const Partners& partners
       workers[number].reset(new Worker{Disc(solver, surface.vertices()), Disc(solver, surface.vertices())});
     auto& [own, other] = *workers[number];
     own.fill(v, radius);
-    double& value = out[surface.mesh_vertex[v]];
+    double& value = values[v];
     switch (options.measure) {
       case AsymmetryMeasure::area:
         value = over_mean(own.integral(area), own.integral(other_area));
@@ -112,6 +112,9 @@ std::vector<double> asymmetry(const TriangleMesh& mesh, const Partners& partners
       }
     }
   });
+  std::vector<double> out(static_cast<std::size_t>(mesh.vertices()), 0.0);
+  for (int m = 0; m < mesh.vertices(); ++m)
+    if (surface.surface_vertex[m] >= 0) out[m] = values[surface.surface_vertex[m]];
   return out;
 }
 
