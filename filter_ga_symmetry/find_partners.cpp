@@ -14,9 +14,9 @@ namespace {
 constexpr const char* info =
     "Finds every vertex's partner on the<br>"
     "other side, in any pose.<br>"
-    "<b>First select four vertices:</b> two on the<br>"
-    "symmetry axis (nose and tail) and a<br>"
-    "left-right pair (two feet).<br>"
+    "<b>Just press Apply.</b> If that goes wrong, first<br>"
+    "select four vertices: two on the symmetry<br>"
+    "axis (nose, tail), a left-right pair (feet).<br>"
     "Attributes: symmetry_partner, _fitness, _side.<br>"
     "Colour: blue is a perfect match, red a poor one.";
 
@@ -27,9 +27,11 @@ RichParameterList parameters() {
       if (info.level == level && info.kind != OptionKind::references) add_option(list, info);
   };
   add_option(list, option_info("references"), " Empty = selection.");
-  list.addParam(RichBool("automatic", false, "Without references: search for the symmetry",
+  list.addParam(RichBool("automatic", true, "Without references: search for the symmetry",
                          "If nothing is selected, find the symmetry from the shape alone."));
   add(OptionLevel::basic);
+  list.addParam(RichEnum("color_by", 0, {"Fitness", "Symmetry", "Sides"}, "Colour",
+                         "Symmetry: both hands have one colour, the axis is dark. Sides: left blue, right orange."));
   list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
                              "Also write the partners: .csv, .json (everything) or .ply (coloured mesh)."));
   add(OptionLevel::advanced);
@@ -60,10 +62,14 @@ References choose_references(const References& given, bool automatic, const CMes
   if (selected.size() == 4)
     return references_from_selection(mesh, {selected[0], selected[1], selected[2], selected[3]}, options, context);
   if (selected.empty() && automatic) return {};
-  throw InvalidOption(
-      "select exactly four vertices: two on the symmetry axis and one left-right pair; " +
-      std::to_string(selected.size()) +
-      " are selected (or give references by index, or select none and allow the search without references)");
+  if (selected.size() == 2) {
+    const std::string a = std::to_string(selected[0]), b = std::to_string(selected[1]);
+    throw InvalidOption("two vertices are selected: as References write " + a + "," + b +
+                        " if both are on the symmetry axis, or " + a + ":" + b +
+                        " if they are a left-right pair; or select four, or none");
+  }
+  throw InvalidOption("select four vertices, two on the symmetry axis and one left-right pair, or none; " +
+                      std::to_string(selected.size()) + " are selected (or give references by index)");
 }
 
 void log_summary(const Result& result, const FilterRun& run) {
@@ -102,8 +108,10 @@ FilterOutputs apply(const FilterRun& run) {
                                          context.part(0, kSelectionRead));
 
   const Result result = find_symmetry(mesh, options, context.part(kSelectionRead, 1));
-  if (!path.empty()) write_result(path, mesh, result);
-  store_partners(layer, result.partners);
+  const auto color_by = static_cast<ColorBy>(run.parameters.getEnum("color_by"));
+  const std::vector<Color> colors = vertex_colors(mesh, result.partners, color_by);
+  if (!path.empty()) write_results({path}, mesh, result, {}, color_by);
+  store_partners(layer, result.partners, colors);
   log_summary(result, run);
   return {{"matched", result.matched},
           {"mean_fitness", result.mean_fitness},

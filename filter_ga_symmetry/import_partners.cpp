@@ -27,12 +27,10 @@ FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   const std::string path = run.parameters.getOpenFileName("partners_file").toLocal8Bit().toStdString();
   if (path.empty())
-    throw InvalidOption(
-        "choose the file to read the partners from with the button beside its name; MeshLab 2020.09 does not take a "
-        "name "
-        "that is typed");
-  const Partners partners = read_checked_partners(path, mesh_of(layer.cm));
-  store_partners(layer, partners);
+    throw InvalidOption("choose the file to read the partners from, with the button if a typed name is not taken");
+  const TriangleMesh mesh = mesh_of(layer.cm);
+  const Partners partners = read_checked_partners(path, mesh);
+  store_partners(layer, partners, vertex_colors(mesh, partners, ColorBy::fitness));
   const int matched = static_cast<int>(
       std::count_if(partners.partner.begin(), partners.partner.end(), [](int partner) { return partner >= 0; }));
   run.log("Imported: partners of " + std::to_string(matched) + " of " + std::to_string(partners.partner.size()) +

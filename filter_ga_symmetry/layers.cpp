@@ -67,7 +67,7 @@ ScalarAttribute find_attribute(CMeshO& m, const std::string& name) {
   return Allocator::FindPerVertexAttribute<Scalarm>(m, name);
 }
 
-void store_partners(MeshModel& layer, const Partners& p) {
+void store_partners(MeshModel& layer, const Partners& p, const std::vector<Color>& colors) {
   CMeshO& m = layer.cm;
   compact(m);
   set_attribute(m, kPartner, [&](std::size_t i) { return p.partner[i]; });
@@ -75,10 +75,9 @@ void store_partners(MeshModel& layer, const Partners& p) {
   set_attribute(m, kSide, [&](std::size_t i) { return p.side[i]; });
   set_attribute(m, kVertex, [](std::size_t i) { return i; });
   layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-  const double top = ramp_top(p.partner, p.fitness);
   for (std::size_t i = 0; i < m.vert.size(); ++i) {
     m.vert[i].Q() = static_cast<Scalarm>(p.fitness[i]);
-    m.vert[i].C() = fitness_color(p.fitness[i], top);
+    m.vert[i].C() = vcg::Color4b(colors[i][0], colors[i][1], colors[i][2], 255);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the filters share: the current layer, the partners that it keeps as attributes, colours, new layers.
 #pragma once
+#include "ga_symmetry/colors.h"
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/partners.h"
 #include "meshlab_adapter.h"
@@ -25,9 +26,9 @@ Context context_of(const FilterRun& run);
 /// The attribute of that name, or an invalid handle.
 ScalarAttribute find_attribute(CMeshO& m, const std::string& name);
 
-/// Compacts the mesh and keeps the partners as attributes, the fitness as quality and colour. Fails only for want of
-/// memory.
-void store_partners(MeshModel& layer, const Partners& partners);
+/// Compacts the mesh and keeps the partners as attributes, the fitness as quality, and the colours. Fails only for want
+/// of memory.
+void store_partners(MeshModel& layer, const Partners& partners, const std::vector<Color>& colors);
 
 /// The partners that the layer keeps. @throws InvalidOption  if there are none, or the mesh has changed since
 Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh);

@@ -25,6 +25,7 @@ enum class Summary { unasked, text, json };
 struct Arguments {
   std::vector<std::string> meshes, outputs, formats;
   std::string references;
+  ColorBy color_by = ColorBy::fitness;
   bool reference_files = false, redo = false, list = false;
   Summary summary = Summary::unasked;
   bool quiet = false;
@@ -127,7 +128,7 @@ Result find_one(const Arguments& a, const std::string& path, const std::vector<s
   const Context context = bar.watch(interrupt);
   const TriangleMesh mesh = read_mesh(path, context.part(0, 0.1));
   Result result = find_symmetry(mesh, options, context.part(0.1, 0.9));
-  if (!outputs.empty()) write_results(outputs, mesh, result, context.part(0.9, 1));
+  if (!outputs.empty()) write_results(outputs, mesh, result, context.part(0.9, 1), a.color_by);
   return result;
 }
 
@@ -238,6 +239,9 @@ void add_find(CLI::App& app, Run& chosen) {
                 "Print all symmetries that the mesh has, reflections and rotations, best first, and write no partners");
   add_choice(find, "--summary", arguments->summary, {{"text", Summary::text}, {"json", Summary::json}},
              "Print the summary in this form, also beside -o");
+  add_choice(find, "--color", arguments->color_by,
+             {{"fitness", ColorBy::fitness}, {"symmetry", ColorBy::symmetry}, {"sides", ColorBy::sides}},
+             "Of a .ply. symmetry: both hands have one colour, the axis is dark; sides: left blue, right orange");
   find.add_flag("--quiet", arguments->quiet, "No progress and no warnings");
 
   add_core_options(*find.add_option_group("Method joint"), Method::joint);

@@ -102,7 +102,7 @@ case $case in
     ;;
   accuracy | automatic)
     if [ "$case" = accuracy ]; then script --select "$refs" export_to=partners.csv
-    else script automatic=true export_to=partners.csv; fi
+    else script export_to=partners.csv; fi  # nothing selected, nothing given
     serve "$sample"
     expect_success
     "$tool" score "$sample" "${sample%.off}.truth" partners.csv > score
@@ -169,11 +169,15 @@ case $case in
     expect_success
     expect_csv "$sample"
     ;;
-  none | three | five)
-    case $case in none) select= count=0 ;; three) select=$a0,$a1,$l count=3 ;; five) select=$refs,0 count=5 ;; esac
-    script ${select:+--select "$select"} export_to=partners.csv
+  two | three | five)
+    case $case in
+      two) select=$a0,$a1 said="two vertices are selected: as References write [0-9]*,[0-9]* if both are on" ;;
+      three) select=$a0,$a1,$l said="select four vertices.* 3 are selected" ;;
+      five) select=$refs,0 said="select four vertices.* 5 are selected" ;;
+    esac
+    script --select "$select" export_to=partners.csv
     serve "$sample"
-    expect_refusal "select exactly four vertices.* $count are selected"
+    expect_refusal "$said"
     ;;
   components | largest)
     awk 'NR == 1 { print } NR == 2 { n = $1; m = $2; print 2 * n, 2 * m, 0 }

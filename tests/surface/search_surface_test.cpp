@@ -214,6 +214,29 @@ TEST(Prolongation, DamageDoesNotMatter) {
   EXPECT_NE(result.surface.find("welded"), std::string::npos) << result.surface;
 }
 
+// Triangles that stand on edges of the body, and scraps around it: neither is a hole of what they stand on.
+TEST(SearchSurface, FinsAreLeftAside) {
+  const shapes::Symmetric shape = shapes::shuffled(shapes::bent(shapes::creature(4), 0.1), 3);
+  TriangleMesh mesh = shape.mesh;
+  const Surface body = make_surface(shape.mesh);
+  for (int f = 0; f < shape.mesh.triangles(); f += 80) {
+    const int* v = &shape.mesh.triangle[3 * static_cast<std::size_t>(f)];
+    const Vector a(body.point(v[0])), b(body.point(v[1])), c(body.point(v[2]));
+    const Vector tip = (a + b) / 2 + 3 * (b - a).norm() * (b - a).cross(c - a).normalized();
+    mesh.triangle.insert(mesh.triangle.end(), {v[0], v[1], mesh.vertices()});
+    mesh.position.insert(mesh.position.end(), tip.data(), tip.data() + 3);
+  }
+  const SearchSurface search(make_surface(mesh), {});
+  EXPECT_TRUE(search.searched().closed);
+  EXPECT_NE(search.summary().find("scraps left aside"), std::string::npos) << search.summary();
+  const Result result = find_symmetry(mesh);
+  EXPECT_EQ(result.matched, mesh.vertices());
+  const double whole = mean_error(shape.mesh, shape.partner, find_symmetry(shape.mesh).partners.partner);
+  std::vector<int> partner(result.partners.partner.begin(), result.partners.partner.begin() + shape.mesh.vertices());
+  for (int& p : partner) p = std::min(p, shape.mesh.vertices() - 1);  // a few may be tips
+  EXPECT_LT(mean_error(shape.mesh, shape.partner, partner), whole + 0.01);
+}
+
 TEST(SearchSurface, SizesOutOfRangeAreRefused) {
   Options options;
   options.proxy = 10;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ga_symmetry/colors.h"
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/mesh.h"
 #include "ga_symmetry/partners.h"
@@ -31,9 +32,11 @@ void check_result_path(const std::string& path);
 
 /// write_result for several files: all of them are written under other names before the first one appears.
 /// @throws InvalidOption, FileError  as write_result; then none was changed, unless the very renaming failed
+/// @param paths  of the files @param mesh  the one that the result is of
+/// @param result  to write @param context  progress and cancelling @param color_by  of a .ply
 /// @throws Cancelled  then none was changed
 void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result,
-                   const Context& context = {});
+                   const Context& context = {}, ColorBy color_by = ColorBy::fitness);
 
 /// Reads what write_result wrote. `.json`: only for the mesh it was made for, told by its checksum. Any other name is a
 /// CSV whose header names at least `vertex` and `partner`; every vertex once, in any order. Without the columns
@@ -43,10 +46,6 @@ Partners read_partners(const std::string& path, const TriangleMesh& mesh);
 
 /// Reads partners with all columns, and checks them by check_partners. @throws FileError
 Partners read_checked_partners(const std::string& path, const TriangleMesh& mesh);
-
-/// Fitness at the red end of the colour ramp, whose blue end is 0: the 95th percentile over the vertices with a
-/// partner, so that a few bad vertices do not turn all others blue. 0 if there are none.
-double ramp_top(const std::vector<int>& partner, const std::vector<double>& fitness);
 
 /// Tells meshes apart, so that a result is not applied to another mesh: FNV-1a 64 over the number of vertices and
 /// triangles (64 bits each), the positions (float32 each) and the triangles (32 bits each), all little-endian.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <unistd.h>
-#include <vcg/space/color4.h>
 
 #include <algorithm>
 #include <cctype>
@@ -196,7 +195,7 @@ void append_little_endian(std::string& out, Value value) {
 }
 
 // The attributes are float, because MeshLab's own are.
-std::string to_ply(const TriangleMesh& mesh, const Result& result, const Context& context) {
+std::string to_ply(const TriangleMesh& mesh, const Result& result, ColorBy color_by, const Context& context) {
   std::string out = "ply\nformat binary_little_endian 1.0\ncomment made by ga_symmetry\nelement vertex " +
                     std::to_string(mesh.vertices()) +
                     "\nproperty double x\nproperty double y\nproperty double z\n"
@@ -207,14 +206,12 @@ std::string to_ply(const TriangleMesh& mesh, const Result& result, const Context
   constexpr std::size_t kVertex = 3 * 8 + 4 + 8 + 3 * 4, kFace = 1 + 3 * 4;
   const std::size_t vertices = result.partners.partner.size();
   out.reserve(out.size() + kVertex * vertices + kFace * mesh.triangle.size() / 3);
-  const double top = ramp_top(result.partners.partner, result.partners.fitness);
+  const std::vector<Color> colors = vertex_colors(mesh, result.partners, color_by);
   for (std::size_t v = 0; v < vertices; ++v) {
     stop_at(v, context);
     for (int k = 0; k < 3; ++k) append_little_endian(out, mesh.position[3 * v + k]);
-    // From the top to 0: the ramp's first colour is red.
-    vcg::Color4b color = vcg::Color4b::Blue;
-    if (top > 0) color.SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(result.partners.fitness[v]));
-    for (int k = 0; k < 4; ++k) append_little_endian(out, color[k]);
+    for (const std::uint8_t part : colors[v]) append_little_endian(out, part);
+    append_little_endian(out, std::uint8_t{255});
     append_little_endian(out, result.partners.fitness[v]);
     append_little_endian(out, static_cast<float>(result.partners.partner[v]));
     append_little_endian(out, static_cast<float>(result.partners.fitness[v]));
@@ -236,16 +233,6 @@ void check_fits(const TriangleMesh& mesh, const Result& result) {
 }
 
 }  // namespace
-
-double ramp_top(const std::vector<int>& partner, const std::vector<double>& fitness) {
-  std::vector<double> known;
-  for (std::size_t v = 0; v < partner.size(); ++v)
-    if (partner[v] >= 0) known.push_back(fitness[v]);
-  if (known.empty()) return 0;
-  const auto at = known.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(known.size() - 1));
-  std::nth_element(known.begin(), at, known.end());
-  return *at;
-}
 
 std::uint64_t mesh_checksum(const TriangleMesh& mesh) {
   std::uint64_t hash = 14695981039346656037u;
@@ -289,7 +276,7 @@ void check_result_path(const std::string& path) {
 }
 
 void write_results(const std::vector<std::string>& paths, const TriangleMesh& mesh, const Result& result,
-                   const Context& context) {
+                   const Context& context, ColorBy color_by) {
   check_fits(mesh, result);
   for (const std::string& path : paths) check_result_path(path);
   std::vector<std::unique_ptr<PendingFile>> files;
@@ -305,7 +292,7 @@ void write_results(const std::vector<std::string>& paths, const TriangleMesh& me
         file.write(to_json(mesh, result, context), context);
         break;
       case Format::ply:
-        file.write(to_ply(mesh, result, context), context);
+        file.write(to_ply(mesh, result, color_by, context), context);
         break;
     }
     stop_at(0, context);

@@ -70,7 +70,7 @@ std::vector<Entry> entries(Options& o) {
       {"symmetry", basic, kFind, Choice{{"reflection", "rotation", "any"}, &o.symmetry}, any, "Symmetry",
        "A reflection swaps left and right, a rotation turns; any: what fits"},
       {"largest_component", basic, kAlways, &o.largest_component, any, "Only the largest component",
-       "Work on the largest component instead of refusing a mesh of several"},
+       "Leave all other parts out; the largest by area and vertices"},
       {"method", basic, kFind, Choice{{"joint", "pairs"}, &o.method}, any, "Method",
        "joint: all partners at once; pairs: the original way, one by one, with references"},
       {"seed", advanced, kAlways, &o.seed, not_negative, "Seed", "The same seed and mesh give the same result"},

@@ -37,13 +37,14 @@ double longest_edge(const Surface& s) {
   return longest;
 }
 
-// The faces of one part alone.
-Surface part_of(const Surface& mesh, const std::vector<int>& part, int wanted, const Context& context) {
+// Some of the faces alone. @param wanted  asked of a face
+template <class Wanted>
+Surface faces_of(const Surface& mesh, const Wanted& wanted, const Context& context) {
   std::vector<double> position;
   std::vector<int> triangle, index(mesh.vertices(), -1);
   for (std::size_t c = 0; c < mesh.triangle.size(); ++c) {
+    if (!wanted(c / 3)) continue;
     const int v = mesh.triangle[c];
-    if (part[v] != wanted) continue;
     if (index[v] < 0) {
       index[v] = static_cast<int>(position.size() / 3);
       position.insert(position.end(), mesh.point(v), mesh.point(v) + 3);
@@ -51,6 +52,47 @@ Surface part_of(const Surface& mesh, const std::vector<int>& part, int wanted, c
     triangle.push_back(index[v]);
   }
   return surface_of(std::move(position), std::move(triangle), context);
+}
+
+// Per face: its sheet, what hangs together over edges; a fin is one, though it shares two vertices with what it stands
+// on.
+std::vector<int> sheets_of(const Surface& s, int& sheets) {
+  std::vector<int> sheet(s.triangles(), -1), open;
+  sheets = 0;
+  for (int first = 0; first < s.triangles(); ++first) {
+    if (sheet[first] >= 0) continue;
+    sheet[first] = sheets;
+    open.assign(1, first);
+    while (!open.empty()) {
+      const int f = open.back();
+      open.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const int across = s.opposite[3 * f + k];
+        if (across < 0 || sheet[across / 3] >= 0) continue;
+        sheet[across / 3] = sheets;
+        open.push_back(across / 3);
+      }
+    }
+    ++sheets;
+  }
+  return sheet;
+}
+
+// Leaves out sheets of hardly any area, fins and flaps: as borders of what they stand on they would count as holes.
+// @return whether there were any
+bool drop_scraps(const Surface& from, Surface& to, const Context& context) {
+  constexpr double kScrap = 0.01;  // of the area
+  int sheets = 0;
+  const std::vector<int> sheet = sheets_of(from, sheets);
+  if (sheets == 1) return false;
+  std::vector<double> area(sheets, 0.0);
+  for (int f = 0; f < from.triangles(); ++f) area[sheet[f]] += face_area(from, f);
+  const double least = kScrap * from.area;
+  const auto kept = std::count_if(area.begin(), area.end(), [&](double a) { return a >= least; });
+  if (kept == 0 || kept == sheets) return false;
+  to = faces_of(
+      from, [&](std::size_t f) { return area[sheet[f]] >= least; }, context);
+  return true;
 }
 
 double diagonal_of(const Surface& mesh) {
@@ -111,11 +153,17 @@ bool SearchSurface::lead(int vertices, const Context& context) {
       area[part_[mesh_.triangle[3 * f]]] += face_area(mesh_, f);
     const int largest = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
     if (area[largest] < kLeading * mesh_.area) return false;
-    s = part_of(mesh_, part_, largest, context);
+    s = faces_of(
+        mesh_, [&](std::size_t f) { return part_[mesh_.triangle[3 * f]] == largest; }, context);
     if (!s.orientable) return false;
     if (share_beyond(mesh_, part_, largest, s, kFar * diagonal_of(mesh_)) > kFew) return false;
   }
   const Surface* surface = parts_ > 1 ? &s : &mesh_;
+  if (Surface whole; drop_scraps(*surface, whole, context)) {
+    s = std::move(whole);
+    surface = &s;
+    done_.push_back("scraps left aside");
+  }
   for (int v = 0; v < surface->vertices(); ++v)
     if (surface->first_corner[v + 1] - surface->first_corner[v] > kMostFacesAround) return false;
   const double fine = std::sqrt(surface->area / std::clamp(surface->vertices(), kEnough, std::max(kEnough, vertices)));
