@@ -105,6 +105,22 @@ TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
   EXPECT_LT(both, 1.02 * refined);
 }
 
+// Which of two is named first changes nothing but which side is left.
+TEST_F(FindJointly, ReferencesInAnotherOrderChangeTheSidesAlone) {
+  Options o;
+  o.references = references_of(shape_);
+  const Partners one = find_symmetry(shape_.mesh, o).partners;
+  std::swap(o.references.axis[0], o.references.axis[1]);
+  std::swap(o.references.pairs[0][0], o.references.pairs[0][1]);
+  const Partners other = find_symmetry(shape_.mesh, o).partners;
+  EXPECT_EQ(one.partner, other.partner);
+  EXPECT_EQ(one.fitness, other.fitness);
+  int turned = 0, sides = 0;
+  for (std::size_t v = 0; v < one.side.size(); ++v) sides += one.side[v] != 0, turned += one.side[v] == -other.side[v];
+  EXPECT_GT(sides, 1000);
+  EXPECT_EQ(turned, static_cast<int>(one.side.size()));
+}
+
 // On a posed person, where it has something to do.
 TEST(FindSymmetry, SpectralRefinementBringsPartnersNearer) {
   const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/person_wave";

@@ -221,7 +221,11 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
   const int samples = measured.sites.samples;
   if (matching.reflection) {
     int left = -1;  // the user's own pair says which side is left
-    if (!references.pairs.empty()) left = samples + static_cast<int>(references.axis.size());
+    if (!references.pairs.empty()) {
+      const auto first = matching.landmarks.vertex.begin() + samples;
+      left = static_cast<int>(std::find(first, matching.landmarks.vertex.end(), references.pairs[0][0]) -
+                              matching.landmarks.vertex.begin());
+    }
     out.left_right = left_right_function(surface, matching.landmarks, images, left);
   }
   for (int i = 0; i < samples; ++i) {

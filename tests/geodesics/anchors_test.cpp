@@ -23,6 +23,16 @@ TEST(Anchors, AReflectionTakesAPairBothWays) {
   EXPECT_EQ(one_way.image.vertex, (std::vector<int>{5, 2}));
 }
 
+TEST(Anchors, TheOrderInWhichTheyAreNamedChangesNothing) {
+  const Scene s;
+  const Anchors a = make_anchors({{5, 9}, {{1, 2}, {30, 40}}}, SymmetryKind::reflection, s.solver, 1),
+                b = make_anchors({{9, 5}, {{40, 30}, {2, 1}}}, SymmetryKind::reflection, s.solver, 1);
+  EXPECT_EQ(a.from.vertex, b.from.vertex);
+  EXPECT_EQ(a.image.vertex, b.image.vertex);
+  const Anchors back = make_anchors({{}, {{2, 1}}}, SymmetryKind::rotation, s.solver, 1);
+  EXPECT_EQ(back.from.vertex, (std::vector<int>{2})) << "a rotation goes one way";
+}
+
 TEST(Anchors, HaveTheFieldsOfTheirVertices) {
   const Scene s;
   const Anchors a = make_anchors({{5, 9}, {{1, 2}, {2, 40}}}, SymmetryKind::rotation, s.solver, 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geodesics/anchors.h"
 
+#include <algorithm>
 #include <map>
 
 namespace ga_symmetry {
@@ -12,8 +13,14 @@ Anchors make_anchors(const SurfaceReferences& references, SymmetryKind kind, con
     out.from.vertex.push_back(from);
     out.image.vertex.push_back(image);
   };
-  for (const int a : references.axis) add(a, a);
-  for (const auto& [l, r] : references.pairs) {
+  std::vector<int> axis = references.axis;
+  std::vector<std::array<int, 2>> pairs = references.pairs;
+  if (kind == SymmetryKind::reflection)
+    for (auto& pair : pairs) std::sort(pair.begin(), pair.end());
+  std::sort(axis.begin(), axis.end());
+  std::sort(pairs.begin(), pairs.end());
+  for (const int a : axis) add(a, a);
+  for (const auto& [l, r] : pairs) {
     add(l, r);
     if (kind == SymmetryKind::reflection) add(r, l);
   }

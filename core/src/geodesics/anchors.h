@@ -22,8 +22,9 @@ struct Anchors {
   int count() const { return static_cast<int>(from.vertex.size()); }
 };
 
-/// The axis references, each its own image, then the pairs; a reflection takes a pair both ways. The field of each
-/// reference is computed once. @throws InvalidOption, Cancelled
+/// The axis references, each its own image, then the pairs; a reflection takes a pair both ways. Sorted, so that the
+/// order in which the user names them changes nothing. The field of each reference is computed once. @throws
+/// InvalidOption, Cancelled
 Anchors make_anchors(const SurfaceReferences& references, SymmetryKind kind, const GeodesicSolver& solver, int threads,
                      const Context& context = {});
 
