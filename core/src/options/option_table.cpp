@@ -81,7 +81,7 @@ std::vector<Entry> entries(Options& o) {
       {"rank", advanced, kJoint, &o.rank, between(1, 30), "Symmetry by rank",
        "1 = the best symmetry that is found, 2 = the next best and so on"},
       {"max_fitness", advanced, kFind, &o.max_fitness, between(0, kLargest), "Largest fitness",
-       "Vertices above have no partner: -1; try 0.08, 0 = keep all"},
+       "Vertices above have no partner: -1; try 0.1, 0 = keep all"},
 
       {"joint_samples", advanced, kJointAndList, &j.samples, between(20, 1000), "Samples",
        "Evenly spaced, what the search works on"},
