@@ -51,6 +51,12 @@ bool against_references(const Matching& m, const Images& images) {
   return false;
 }
 
+// Whether a reference goes to another place: then it is the user who says which way round.
+bool directed(const Matching& m, const Images& images) {
+  return !std::equal(images.vertex.begin() + m.movable(), images.vertex.end(),
+                     m.landmarks.vertex.begin() + m.movable());
+}
+
 // Whether a rotation turns the samples as they stand clockwise, seen from the positive end of the coordinate axis that
 // is nearest to what it turns about.
 bool turns_clockwise(const Matching& m, const Images& images) {
@@ -199,6 +205,11 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     if (m.surface.orientable) c.score *= 1 + kTurned * wrongly_turned(m, match_probes(m, c.images, all).partner);
   });
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
+  // What is none counts only where there is nothing else.
+  if (!survivors.empty() && std::isfinite(survivors[0].score))
+    survivors.erase(
+        std::find_if(survivors.begin(), survivors.end(), [](const Candidate& c) { return !std::isfinite(c.score); }),
+        survivors.end());
   std::vector<Candidate> out;
   for (Candidate& c : survivors) {
     if (c.order == 1) continue;  // the identity is no answer
@@ -207,7 +218,7 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
              (!m.reflection && inverse_symmetries(m, sites, better.images, c.images));
     });
     if (known) continue;
-    if (!m.reflection && c.order != 2 && turns_clockwise(m, c.images))
+    if (!m.reflection && c.order != 2 && !directed(m, c.images) && turns_clockwise(m, c.images))
       c.images = inverted(m, c.images, threads, context);
     out.push_back(std::move(c));
   }
