@@ -13,6 +13,7 @@
 #include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "geodesics/geodesics.h"
+#include "shapes.h"
 #include "surface/surface.h"
 #include "symmetric_shapes.h"
 
@@ -119,6 +120,16 @@ TEST_F(FindJointly, ReferencesInAnotherOrderChangeTheSidesAlone) {
   for (std::size_t v = 0; v < one.side.size(); ++v) sides += one.side[v] != 0, turned += one.side[v] == -other.side[v];
   EXPECT_GT(sides, 1000);
   EXPECT_EQ(turned, static_cast<int>(one.side.size()));
+}
+
+// Half of what tells a wrong map is missing where a surface has one side only.
+TEST(FindSymmetry, WithoutOrientationTheConfidenceIsHalf) {
+  const Result result = find_symmetry(shapes::moebius_strip());
+  EXPECT_GT(result.confidence, 0);
+  EXPECT_LE(result.confidence, 0.5);
+  EXPECT_NE(std::find_if(result.warnings.begin(), result.warnings.end(),
+                         [](const std::string& warning) { return warning.find("doubtful") == 0; }),
+            result.warnings.end());
 }
 
 // On a posed person, where it has something to do.
