@@ -145,11 +145,12 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
 }
 
 // The symmetries of the kind that is searched for. Of any kind: reflections, unless none fits and a rotation fits
-// plainly better; nothing is searched for in vain.
+// plainly better.
 std::unique_ptr<Survey> survey_symmetries(const Measured& measured, const SurfaceReferences& references,
                                           const Options& options, Refine refine, const Context& context,
                                           StageClock& clock) {
-  // Scores: of poses that are symmetric some 0.02, of right maps in hard poses up to 0.1, of wrong ones from 0.1.
+  // Scores: some 0.02 where the pose is symmetric, too, 0.05 to 0.15 in hard poses, seldom more; of wrong maps mostly
+  // above 0.1. What is searched for in vain costs time alone.
   constexpr double kFits = 0.1, kPlainlyBetter = 0.5;
   const auto survey = [&](SymmetryKind kind, double begin, double end) {
     return std::make_unique<Survey>(
@@ -165,11 +166,12 @@ std::unique_ptr<Survey> survey_symmetries(const Measured& measured, const Surfac
 }
 
 // What to tell the user, with the remedy.
-std::string why_doubtful(const std::vector<Candidate>& ranking, bool references) {
+std::string why_doubtful(const std::vector<Candidate>& ranking, bool references, bool orientable) {
   constexpr double kAlmost = 1.3;
   if (ranking.size() > 1 && ranking[1].score < kAlmost * ranking[0].score)
     return std::string("two symmetries fit almost equally well; look at the result, for the other ") +
            (references ? "give more references" : "give references or take rank 2");
+  if (!orientable) return "the surface has one side only, so that wrong maps are harder to tell; look at the result";
   return std::string("no symmetry fits well, this is the one that fits best; look at the result, and ") +
          (references ? "check the references" : "give references if the shape has one");
 }
@@ -197,7 +199,7 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
   out.confidence = confidence_of(ranking) * (surface.orientable ? 1 : 0.5);  // orientation tells half of what is wrong
   if (options.rank == 1 && out.confidence < kDoubtful)
     out.warnings.push_back("doubtful, confidence " + std::to_string(out.confidence).substr(0, 4) + ": " +
-                           why_doubtful(ranking, matching.fixed > 0));
+                           why_doubtful(ranking, matching.fixed > 0, surface.orientable));
   out.order = ranking[options.rank - 1].order;
   out.log = std::move(survey->log);
   out.stop = survey->stop;

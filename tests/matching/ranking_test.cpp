@@ -154,15 +154,22 @@ TEST(RankMaps, ThreadsChangeNothing) {
   }
 }
 
+constexpr int kAround = 48, kAlong = 16;
+const Scene& torus() {
+  static const Scene made([] {
+    shapes::Symmetric shape{};
+    shape.mesh = shapes::torus(kAround, kAlong);
+    return shape;
+  }());
+  return made;
+}
+// Where a vertex of the torus comes to, turned about its axis.
+int turned_vertex(int v, int steps) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; }
+
 // A torus turned about its axis by a third, a quarter, and an angle that never comes back.
 TEST(RankMaps, RotationsKnowTheirOrder) {
-  constexpr int kAround = 48, kAlong = 16;
-  shapes::Symmetric torus{};
-  torus.mesh = shapes::torus(kAround, kAlong);
-  const Scene s(torus);
-  const auto turned = [&](int steps) {
-    return s.map_by([&](int v) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; });
-  };
+  const Scene& s = torus();
+  const auto turned = [&](int steps) { return s.map_by([&](int v) { return turned_vertex(v, steps); }); };
   const auto order = [&](int steps) {
     const auto ranking = rank_maps(s.matching(false), s.sites, {turned(steps)}, s.no_references, Refine::contenders, 1);
     return ranking.empty() ? -1 : ranking[0].order;
@@ -174,13 +181,8 @@ TEST(RankMaps, RotationsKnowTheirOrder) {
 
 // A third of a turn and its inverse are one symmetry, whichever comes first, and turn the same way.
 TEST(RankMaps, ARotationAndItsInverseStandOnceAndTheIdentityNever) {
-  constexpr int kAround = 48, kAlong = 16;
-  shapes::Symmetric torus{};
-  torus.mesh = shapes::torus(kAround, kAlong);
-  const Scene s(torus);
-  const auto turned = [&](int steps) {
-    return s.map_by([&](int v) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; });
-  };
+  const Scene& s = torus();
+  const auto turned = [&](int steps) { return s.map_by([&](int v) { return turned_vertex(v, steps); }); };
   const SampleMap there = turned(kAround / 3), back = turned(2 * kAround / 3), stays = turned(0);
   std::vector<Images> found;
   for (const std::vector<SampleMap>& maps : {std::vector{there, back, stays}, std::vector{back, stays, there}}) {
@@ -195,12 +197,10 @@ TEST(RankMaps, ARotationAndItsInverseStandOnceAndTheIdentityNever) {
 
 // Whichever way a pair of references goes, so does the rotation.
 TEST(RankMaps, ReferencesSayWhichWayARotationTurns) {
-  constexpr int kAround = 48, kAlong = 16, kReference = 5;
-  shapes::Symmetric torus{};
-  torus.mesh = shapes::torus(kAround, kAlong);
-  const Scene s(torus);
+  constexpr int kReference = 5;
+  const Scene& s = torus();
   for (const int steps : {kAround / 3, 2 * kAround / 3}) {
-    const auto to = [&](int v) { return (v / kAlong + steps) % kAround * kAlong + v % kAlong; };
+    const auto to = [&](int v) { return turned_vertex(v, steps); };
     const auto at = [&](int v) { return Landmarks{{v}, s.of.solver.fields({v}, 1)}; };
     Matching m = s.matching(false);
     SampleMap itself(s.sites.samples);

@@ -17,6 +17,7 @@
 #include "surface/mirror_plane.h"
 #include "surface/refine.h"
 #include "surface/simplify.h"
+#include "surface/welded_mesh.h"
 #include "surface/wrap.h"
 #include "symmetric_shapes.h"
 
@@ -228,13 +229,30 @@ TEST(SearchSurface, FinsAreLeftAside) {
   }
   const SearchSurface search(make_surface(mesh), {});
   EXPECT_TRUE(search.searched().closed);
-  EXPECT_NE(search.summary().find("scraps left aside"), std::string::npos) << search.summary();
+  EXPECT_NE(search.summary().find("scraps aside"), std::string::npos) << search.summary();
   const Result result = find_symmetry(mesh);
   EXPECT_EQ(result.matched, mesh.vertices());
   const double whole = mean_error(shape.mesh, shape.partner, find_symmetry(shape.mesh).partners.partner);
   std::vector<int> partner(result.partners.partner.begin(), result.partners.partner.begin() + shape.mesh.vertices());
   for (int& p : partner) p = std::min(p, shape.mesh.vertices() - 1);  // a few may be tips
   EXPECT_LT(mean_error(shape.mesh, shape.partner, partner), whole + 0.01);
+}
+
+// Two bodies that only a thin strip of its own holds together, along edges of three faces: without it there would be
+// two parts, between which there is no distance.
+TEST(SearchSurface, AScrapThatHoldsTheWholeTogetherStays) {
+  TriangleMesh mesh = shapes::icosphere(3);
+  const int n = mesh.vertices(), faces = mesh.triangles();
+  for (int v = 0; v < n; ++v)
+    for (int k = 0; k < 3; ++k) mesh.position.push_back(mesh.position[3 * v + k] + (k == 0 ? 3 : 0));
+  for (int c = 0; c < 3 * faces; ++c) mesh.triangle.push_back(mesh.triangle[c] + n);
+  mesh.triangle.insert(mesh.triangle.end(), {mesh.triangle[0], mesh.triangle[1], mesh.triangle[0] + n});
+  const SearchSurface search(make_surface(mesh), {});
+  EXPECT_EQ(search.parts(), 1);
+  EXPECT_EQ(search.summary().find("aside"), std::string::npos) << search.summary();
+  int parts = 0;
+  face_parts(search.searched().triangle, search.searched().vertices(), parts);
+  EXPECT_EQ(parts, 1);
 }
 
 TEST(SearchSurface, SizesOutOfRangeAreRefused) {

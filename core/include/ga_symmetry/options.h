@@ -70,7 +70,7 @@ struct Options {
   bool spectral_refinement = true;  ///< then move partners to where smooth functions on the surface agree; joint only
   double max_fitness = 0;  ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
                            ///< side lacks; 0 = keep all, [0, 1e6]
-  bool largest_component = false;  ///< work on the largest component instead of refusing a mesh of several
+  bool largest_component = false;  ///< leave all other parts out; the largest by area and vertices
   PairsOptions pairs;              ///< of the method pairs
   JointOptions joint;              ///< of the method joint
 };

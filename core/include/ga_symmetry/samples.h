@@ -20,7 +20,7 @@ struct SpacedSamples {
 /// the first k of N are the k samples. The first is an end of a long geodesic, whatever the pose and the numbering.
 /// @param mesh     of any connected surface
 /// @param count    samples, [1, vertices that faces use]
-/// @param largest_component  work on it instead of refusing a mesh of several
+/// @param largest_component  leave all other parts out
 /// @param threads  0 = all cores, [0, 256]; speed only
 /// @param context  progress and cancelling
 /// @throws InvalidMesh    as find_symmetry

@@ -113,10 +113,12 @@ Mirrored mirrored_by(const Matching& m, const std::vector<int>& vertices, const 
   return out;
 }
 
-double disagreement(const Matching& m, const Sites& sites, const Images& images) {
+namespace {
+
+// @param probes  of the sites' vertices
+double disagreement_by(const Matching& m, const Sites& sites, const Probes& probes) {
   constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
   constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.8;
-  const Probes probes = match_probes(m, images, sites.vertex);
   double error = 0, moved = 0, unlike = 0;
   for (int k = 0; k < sites.count(); ++k) {
     error += std::min(kCap, probes.error[k]);
@@ -138,6 +140,21 @@ double disagreement(const Matching& m, const Sites& sites, const Images& images)
     doubt = 0.5 + 0.5 * std::min(1.0, std::max(mirrored.plane.misfit / kMisfit, mirrored.away / kAway));
   }
   return doubt * (std::sqrt(error) + kDescriptors * unlike * unlike) / std::pow(std::min(kPlainlyMoved, moved), 2);
+}
+
+Probes of_sites(const Sites& sites, const Probes& all) {
+  Probes out;
+  for (const int v : sites.vertex) {
+    out.partner.push_back(all.partner[v]);
+    out.error.push_back(all.error[v]);
+  }
+  return out;
+}
+
+}  // namespace
+
+double disagreement(const Matching& m, const Sites& sites, const Images& images) {
+  return disagreement_by(m, sites, match_probes(m, images, sites.vertex));
 }
 
 bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const Images& b) {
@@ -198,11 +215,16 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     if (worker == 0) context.advance(i / static_cast<double>(survivors.size()));  // the calling thread
     if (context.cancelled()) throw Cancelled();
     Candidate& c = survivors[i];
-    if (refine == Refine::all || c.score < close) {
-      c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
-      if (std::isfinite(c.score)) c.score = disagreement(m, sites, c.images);
+    if (!std::isfinite(c.score)) return;
+    const bool refined = refine == Refine::all || c.score < close;
+    if (refined) c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
+    if (m.surface.orientable) {
+      const Probes probes = match_probes(m, c.images, all);
+      if (refined) c.score = disagreement_by(m, sites, of_sites(sites, probes));
+      c.score *= 1 + kTurned * wrongly_turned(m, probes.partner);
+    } else if (refined) {
+      c.score = disagreement(m, sites, c.images);
     }
-    if (m.surface.orientable) c.score *= 1 + kTurned * wrongly_turned(m, match_probes(m, c.images, all).partner);
   });
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   // What is none counts only where there is nothing else.

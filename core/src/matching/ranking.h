@@ -54,8 +54,7 @@ enum class Refine {
 };
 /// The maps at vertex resolution, best first, without the identity and those that are the same symmetry as a better
 /// one. A rotation and its inverse are one, turned counter-clockwise as the samples stand, seen from the positive end
-/// of the coordinate axis that is nearest to what it turns about;
-/// unless references say which way.
+/// of the coordinate axis that is nearest to what it turns about, unless references say which way.
 /// @throws Cancelled
 std::vector<Candidate> rank_maps(const Matching& matching, const Sites& sites, const std::vector<SampleMap>& maps,
                                  const Landmarks& reference_images, Refine refine, int threads,

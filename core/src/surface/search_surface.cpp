@@ -78,21 +78,26 @@ std::vector<int> sheets_of(const Surface& s, int& sheets) {
   return sheet;
 }
 
-// Leaves out sheets of hardly any area, fins and flaps: as borders of what they stand on they would count as holes.
-// @return whether there were any
-bool drop_scraps(const Surface& from, Surface& to, const Context& context) {
-  constexpr double kScrap = 0.01;  // of the area
+// Leaves out sheets of hardly any area, fins and flaps: as borders of what they stand on they would count as holes. Not
+// where they are much of the whole together, or hold it together.
+// @return how many were left out
+int drop_scraps(const Surface& from, Surface& to, const Context& context) {
+  constexpr double kScrap = 0.01, kScraps = 0.25;  // of the area: one of them, all of them
   int sheets = 0;
   const std::vector<int> sheet = sheets_of(from, sheets);
-  if (sheets == 1) return false;
+  if (sheets == 1) return 0;
   std::vector<double> area(sheets, 0.0);
   for (int f = 0; f < from.triangles(); ++f) area[sheet[f]] += face_area(from, f);
-  const double least = kScrap * from.area;
-  const auto kept = std::count_if(area.begin(), area.end(), [&](double a) { return a >= least; });
-  if (kept == 0 || kept == sheets) return false;
+  int scraps = 0;
+  double dropped = 0;
+  for (const double a : area)
+    if (a < kScrap * from.area) ++scraps, dropped += a;
+  if (scraps == 0 || dropped > kScraps * from.area) return 0;
   to = faces_of(
-      from, [&](std::size_t f) { return area[sheet[f]] >= least; }, context);
-  return true;
+      from, [&](std::size_t f) { return area[sheet[f]] >= kScrap * from.area; }, context);
+  int parts = 0;
+  face_parts(to.triangle, to.vertices(), parts);
+  return parts == 1 ? scraps : 0;
 }
 
 double diagonal_of(const Surface& mesh) {
@@ -159,10 +164,12 @@ bool SearchSurface::lead(int vertices, const Context& context) {
     if (share_beyond(mesh_, part_, largest, s, kFar * diagonal_of(mesh_)) > kFew) return false;
   }
   const Surface* surface = parts_ > 1 ? &s : &mesh_;
-  if (Surface whole; drop_scraps(*surface, whole, context)) {
+  std::vector<std::string> done;
+  Surface whole;
+  if (const int scraps = drop_scraps(*surface, whole, context); scraps > 0) {
     s = std::move(whole);
     surface = &s;
-    done_.push_back("scraps left aside");
+    done.push_back("left " + std::to_string(scraps) + (scraps == 1 ? " scrap aside" : " scraps aside"));
   }
   for (int v = 0; v < surface->vertices(); ++v)
     if (surface->first_corner[v + 1] - surface->first_corner[v] > kMostFacesAround) return false;
@@ -182,7 +189,7 @@ bool SearchSurface::lead(int vertices, const Context& context) {
     split_long_edges(position, triangle, length);
     s = surface_of(std::move(position), std::move(triangle), context);
     surface = &s;
-    done_.push_back("refined to " + std::to_string(s.vertices()) + " vertices");
+    done.push_back("refined to " + std::to_string(s.vertices()) + " vertices");
   }
   if (surface->vertices() > kWorthSimplifying * vertices) {
     s = simplified(*surface, vertices, context);
@@ -190,6 +197,7 @@ bool SearchSurface::lead(int vertices, const Context& context) {
     // Defects may leave nothing that can be taken away, and a search on all of it would take minutes.
     if (s.vertices() > 2 * vertices) return false;
   }
+  done_.insert(done_.end(), done.begin(), done.end());
   if (parts_ > 1) done_.push_back("the largest of " + std::to_string(parts_) + " parts leads the others");
   direct_ = surface == &mesh_;
   if (!direct_) searched_ = std::move(s);
