@@ -39,6 +39,18 @@ vcg::Color4b signed_color(double value, double top) {
   return value > 0 ? vcg::Color4b(255, faded, faded, 255) : vcg::Color4b(faded, faded, 255, 255);
 }
 
+// The size whose colour is full: the 95th percentile over the vertices with a partner, so that a few do not leave all
+// others white. 0 if there are none.
+double full_color(const std::vector<double>& values, const std::vector<int>& partner) {
+  std::vector<double> sizes;
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (partner[v] >= 0) sizes.push_back(std::abs(values[v]));
+  if (sizes.empty()) return 0;
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), at, sizes.end());
+  return *at;
+}
+
 FilterOutputs apply(const FilterRun& run) {
   MeshModel& layer = current_layer(run);
   CMeshO& m = layer.cm;
@@ -50,13 +62,9 @@ FilterOutputs apply(const FilterRun& run) {
   options.threads = run.parameters.getInt("threads");
   const std::vector<double> values = asymmetry(mesh, partners, options, context_of(run));
 
-  std::vector<double> sizes;
   double sum = 0;
-  for (const double value : values) {
-    sizes.push_back(std::abs(value));
-    sum += sizes.back();
-  }
-  const double top = ramp_top(partners.partner, sizes);
+  for (const double value : values) sum += std::abs(value);
+  const double top = full_color(values, partners.partner);
   compact(m);
   layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   for (std::size_t v = 0; v < values.size(); ++v) {

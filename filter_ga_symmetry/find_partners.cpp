@@ -18,7 +18,8 @@ constexpr const char* info =
     "select four vertices: two on the symmetry<br>"
     "axis (nose, tail), a left-right pair (feet).<br>"
     "Attributes: symmetry_partner, _fitness, _side.<br>"
-    "Colour: blue is a perfect match, red a poor one.";
+    "Colour: blue is a perfect match, red a<br>"
+    "poor one, a fitness of 0.2 and more.";
 
 RichParameterList parameters() {
   RichParameterList list;
@@ -31,7 +32,7 @@ RichParameterList parameters() {
                          "If nothing is selected, find the symmetry from the shape alone."));
   add(OptionLevel::basic);
   list.addParam(RichEnum("color_by", 0, {"Fitness", "Symmetry", "Sides"}, "Colour",
-                         "Symmetry: both hands have one colour, the axis is dark. Sides: left blue, right orange."));
+                         "Fitness: 0 blue, 0.1 green, 0.2 red. Symmetry: both hands alike. Sides: left blue."));
   list.addParam(RichSaveFile("export_to", "", "*.csv *.json *.ply", "Export to",
                              "Also write the partners: .csv, .json (everything) or .ply (coloured mesh)."));
   add(OptionLevel::advanced);

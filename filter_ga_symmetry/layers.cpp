@@ -67,6 +67,8 @@ ScalarAttribute find_attribute(CMeshO& m, const std::string& name) {
   return Allocator::FindPerVertexAttribute<Scalarm>(m, name);
 }
 
+vcg::Color4b meshlab_color(const Color& color) { return {color[0], color[1], color[2], 255}; }
+
 void store_partners(MeshModel& layer, const Partners& p, const std::vector<Color>& colors) {
   CMeshO& m = layer.cm;
   compact(m);
@@ -77,7 +79,7 @@ void store_partners(MeshModel& layer, const Partners& p, const std::vector<Color
   layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   for (std::size_t i = 0; i < m.vert.size(); ++i) {
     m.vert[i].Q() = static_cast<Scalarm>(p.fitness[i]);
-    m.vert[i].C() = vcg::Color4b(colors[i][0], colors[i][1], colors[i][2], 255);
+    m.vert[i].C() = meshlab_color(colors[i]);
   }
 }
 
@@ -104,13 +106,6 @@ Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh) {
   }
   check_partners(out, mesh);
   return out;
-}
-
-vcg::Color4b fitness_color(double fitness, double top) {
-  vcg::Color4b color = vcg::Color4b::Blue;
-  // From the top to 0: the ramp's first colour is red.
-  if (top > 0) color.SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(fitness));
-  return color;
 }
 
 CMeshO& add_layer(const FilterRun& run, MeshModel& like, const QString& name, std::size_t points) {

@@ -26,15 +26,14 @@ Context context_of(const FilterRun& run);
 /// The attribute of that name, or an invalid handle.
 ScalarAttribute find_attribute(CMeshO& m, const std::string& name);
 
+vcg::Color4b meshlab_color(const Color& color);
+
 /// Compacts the mesh and keeps the partners as attributes, the fitness as quality, and the colours. Fails only for want
 /// of memory.
 void store_partners(MeshModel& layer, const Partners& partners, const std::vector<Color>& colors);
 
 /// The partners that the layer keeps. @throws InvalidOption  if there are none, or the mesh has changed since
 Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh);
-
-/// Blue at 0 to red at `top`.
-vcg::Color4b fitness_color(double fitness, double top);
 
 /// A new layer in the same place as `like`, with so many points. The current layer stays current.
 CMeshO& add_layer(const FilterRun& run, MeshModel& like, const QString& name, std::size_t points);

@@ -20,7 +20,8 @@ constexpr const char* info =
     "found, in new layers: lines that<br>"
     "link evenly spread pairs, and the<br>"
     "symmetry axis on the surface.<br>"
-    "Blue: a perfect match, red: poor.";
+    "Blue: a perfect match, red: poor,<br>"
+    "a fitness of 0.2 and more.";
 
 RichParameterList parameters() {
   RichParameterList list;
@@ -33,11 +34,11 @@ RichParameterList parameters() {
 }
 
 // The normal is for the light that MeshLab puts on points and lines, too.
-void set_point(CVertexO& v, const Point3m& position, const Point3m& normal, double fitness, double top) {
+void set_point(CVertexO& v, const Point3m& position, const Point3m& normal, double fitness) {
   v.P() = position;
   v.N() = normal;
   v.Q() = static_cast<Scalarm>(fitness);
-  v.C() = fitness_color(fitness, top);
+  v.C() = meshlab_color(fitness_color(fitness));
 }
 
 // Where a point on a face is, and the surface's normal there.
@@ -74,14 +75,13 @@ FilterOutputs apply(const FilterRun& run) {
   if (wants_axis) axis = axis_lines(mesh, partners, run.parameters.getInt("threads"), context);
 
   compact(layer.cm);
-  const double top = ramp_top(partners.partner, partners.fitness);
   if (!pairs.empty()) {
     CMeshO& links = add_layer(run, layer, "Symmetric pairs", 2 * pairs.size());
     Allocator::AddEdges(links, pairs.size());
     for (int i = 0; i < static_cast<int>(pairs.size()); ++i)
       for (int end = 0; end < 2; ++end) {
         const CVertexO& v = layer.cm.vert[end == 0 ? pairs[i].vertex : pairs[i].partner];
-        set_point(links.vert[2 * i + end], v.cP(), v.cN(), pairs[i].fitness, top);
+        set_point(links.vert[2 * i + end], v.cP(), v.cN(), pairs[i].fitness);
         links.edge[i].V(end) = &links.vert[2 * i + end];
       }
     vcg::tri::UpdateBounding<CMeshO>::Box(links);
@@ -99,7 +99,7 @@ FilterOutputs apply(const FilterRun& run) {
       const int first = point, own = static_cast<int>(line.size()) - is_closed(line);
       for (int k = 0; k < own; ++k) {
         const auto [position, normal] = place_of(layer.cm, line[k]);
-        set_point(drawn.vert[point++], position + normal * lift, normal, value_at(partners.fitness, line[k]), top);
+        set_point(drawn.vert[point++], position + normal * lift, normal, value_at(partners.fitness, line[k]));
       }
       for (int k = 0; k + 1 < static_cast<int>(line.size()); ++k, ++segment) {
         drawn.edge[segment].V(0) = &drawn.vert[first + k];

@@ -241,7 +241,8 @@ void add_find(CLI::App& app, Run& chosen) {
              "Print the summary in this form, also beside -o");
   add_choice(find, "--color", arguments->color_by,
              {{"fitness", ColorBy::fitness}, {"symmetry", ColorBy::symmetry}, {"sides", ColorBy::sides}},
-             "Of a .ply. symmetry: both hands have one colour, the axis is dark; sides: left blue, right orange");
+             "Of a .ply. fitness: blue at 0 to red at 0.2 and more; symmetry: both hands have one colour, the axis is "
+             "dark; sides: left blue, right orange");
   find.add_flag("--quiet", arguments->quiet, "No progress and no warnings");
 
   add_core_options(*find.add_option_group("Method joint"), Method::joint);

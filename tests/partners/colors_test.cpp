@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "ga_symmetry/errors.h"
@@ -25,6 +26,23 @@ TEST(SymmetryColors, PartnersAreAlikeOthersAreNot) {
     }
   }
   EXPECT_GT(static_cast<double>(left.size()), 0.9 * lefts);
+}
+
+// One scale for every mesh: what else is on it changes no colour.
+TEST(FitnessColors, BlueIsPerfectRedIsPoor) {
+  EXPECT_EQ(fitness_color(0), (Color{0, 0, 255}));
+  EXPECT_EQ(fitness_color(kRedFitness / 2), (Color{0, 255, 0}));
+  EXPECT_EQ(fitness_color(kRedFitness), (Color{255, 0, 0}));
+  for (const double poor : {1.0, 1e6, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(fitness_color(poor), (Color{255, 0, 0}));
+  Partners p = creature().partners;
+  p.fitness[3] = 0.05;
+  const Color good = vertex_colors(creature().mesh, p, ColorBy::fitness)[3];
+  p.fitness.assign(p.fitness.size(), 10);
+  p.fitness[3] = 0.05;
+  const std::vector<Color> colors = vertex_colors(creature().mesh, p, ColorBy::fitness);
+  EXPECT_EQ(colors[3], good);
+  EXPECT_EQ(colors[4], (Color{255, 0, 0}));
 }
 
 TEST(SymmetryColors, GreyWithoutAPartner) {

@@ -37,13 +37,6 @@ struct Places {
         diagonal(size.norm()) {}
 };
 
-Color fitness_color(double fitness, double top) {
-  vcg::Color4b color = vcg::Color4b::Blue;
-  // From the top to 0: the ramp's first colour is red.
-  if (top > 0) color.SetColorRamp(static_cast<float>(top), 0.0f, static_cast<float>(fitness));
-  return {color[0], color[1], color[2]};
-}
-
 }  // namespace
 
 std::vector<Color> vertex_colors(const TriangleMesh& mesh, const Partners& p, ColorBy by) {
@@ -53,10 +46,9 @@ std::vector<Color> vertex_colors(const TriangleMesh& mesh, const Partners& p, Co
                         ", the mesh has " + std::to_string(n) + " vertices");
   std::vector<Color> out(n, kNone);
   if (n == 0) return out;
-  const double top = ramp_top(p.partner, p.fitness);
   const Places places(mesh);
   for (std::size_t v = 0; v < n; ++v) {
-    if (by == ColorBy::fitness) out[v] = fitness_color(p.fitness[v], top);
+    if (by == ColorBy::fitness) out[v] = fitness_color(p.fitness[v]);
     if (by == ColorBy::fitness || p.partner[v] < 0) continue;
     if (by == ColorBy::sides) {
       out[v] = p.side[v] > 0 ? kLeft : p.side[v] < 0 ? kRight : kMiddle;
@@ -71,14 +63,11 @@ std::vector<Color> vertex_colors(const TriangleMesh& mesh, const Partners& p, Co
   return out;
 }
 
-double ramp_top(const std::vector<int>& partner, const std::vector<double>& fitness) {
-  std::vector<double> known;
-  for (std::size_t v = 0; v < partner.size(); ++v)
-    if (partner[v] >= 0) known.push_back(fitness[v]);
-  if (known.empty()) return 0;
-  const auto at = known.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(known.size() - 1));
-  std::nth_element(known.begin(), at, known.end());
-  return *at;
+Color fitness_color(double fitness) {
+  vcg::Color4b color;
+  // From the top to 0: the ramp's first colour is red.
+  color.SetColorRamp(static_cast<float>(kRedFitness), 0.0f, static_cast<float>(fitness));
+  return {color[0], color[1], color[2]};
 }
 
 }  // namespace ga_symmetry
