@@ -95,6 +95,19 @@ TEST(ReferencesFromSelection, RefusesAmbiguousSelections) {
   }
 }
 
+// Two axis vertices side by side: as a pair they would be exchanged at hardly any cost. The symmetry that is found
+// tells.
+TEST(ReferencesFromSelection, TheSymmetryThatIsFoundDecides) {
+  const shapes::Symmetric shape = shapes::bent(shapes::creature(4), 0.3);
+  const std::array<int, 4> selected{460, 1777, 740, 1231};
+  ASSERT_EQ(shape.partner[selected[0]], selected[0]);
+  ASSERT_EQ(shape.partner[selected[1]], selected[1]);
+  ASSERT_EQ(shape.partner[selected[2]], selected[3]);
+  const References read = references_from_selection(shape.mesh, selected, {});
+  EXPECT_EQ(read.axis, (std::vector<int>{selected[0], selected[1]}));
+  EXPECT_EQ(read.pairs, (std::vector<std::array<int, 2>>{{selected[2], selected[3]}}));
+}
+
 TEST(ReferencesFromSelection, RefusesRepeatedAndForeignVertices) {
   Posed posed;
   const int n = posed.mesh.vertices();

@@ -26,13 +26,14 @@ struct References {
 /// @throws InvalidOption  if the text is not of that form
 References parse_references(const std::string& text);
 
-/// Works out which two of four selected vertices lie on the axis and which two are the pair: the pair (c,d) has
-/// d(a,c) = d(a,d) and d(b,c) = d(b,d), by geodesic distance. Order of the input does not matter.
+/// Works out which two of four selected vertices lie on the axis and which two are the pair: the pair (c,d) has d(a,c)
+/// = d(a,d) and d(b,c) = d(b,d), by geodesic distance; where that is not plain, the one with which the search is more
+/// confident, which takes as long as two searches. Order of the input does not matter.
 /// @param mesh      any triangle mesh
 /// @param selected  four different vertices of its faces
 /// @param options   of the search that the references are for: measured is the surface that it would search
 /// @param context   progress and cancellation
-/// @throws InvalidOption  if two readings are equally good, or a vertex is out of range or repeated
+/// @throws InvalidOption  if two readings are nearly equally good, or a vertex is out of range or repeated
 /// @throws InvalidMesh    as find_symmetry
 /// @throws Cancelled
 References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected,

@@ -13,8 +13,8 @@
 namespace ga_symmetry {
 
 /// Finds for every vertex its partner under an intrinsic symmetry.
-/// @throws InvalidMesh    if the mesh is empty, a point cloud, too small, non-manifold, has zero-area faces, several
-///                        components or coordinates that are not finite
+/// @throws InvalidMesh    if the mesh has no faces, an index out of range or coordinates that are not finite; if no
+///                        symmetry is found
 /// @throws InvalidOption  as check_options; if a reference is not on the mesh; a rank beyond the symmetries found
 /// @throws Cancelled      if the context asked to stop
 Result find_symmetry(const TriangleMesh& mesh, const Options& options = {}, const Context& context = {});
