@@ -13,8 +13,8 @@ namespace ga_symmetry {
 /// Red, green, blue.
 using Color = std::array<std::uint8_t, 3>;
 
-/// Fitness from which a vertex is red, of every mesh the same: a good one is blue, a poor one red. Where an arm or a
-/// leg is missing the rest of it has 0.1 and more; on whole shapes nine of ten vertices have less.
+/// Fitness from which a vertex is red, of every mesh the same: a good one is blue, a poor one red. What has lost
+/// its partner, such as the other hand, mostly has 0.1 and more; on whole shapes nine of ten vertices have less.
 inline constexpr double kRedFitness = 0.2;
 
 /// What a vertex is coloured by.
