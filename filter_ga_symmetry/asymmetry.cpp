@@ -21,7 +21,7 @@ constexpr const char* info =
     "has more, blue: it has less. Area<br>"
     "and Length: 0.1 is 10 % more.";
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   const AsymmetryOptions defaults;
   RichParameterList list;
   list.addParam(RichEnum("measure", static_cast<int>(defaults.measure), {"Area", "Length", "Mean curvature"}, "Measure",

@@ -39,8 +39,8 @@ int FilterGaSymmetry::postCondition(ga_symmetry::FilterAction*) const { return M
 #if MESHLAB_GENERATION == 2020
 
 // The document may be empty, which MeshLab's own version of this function does not survive.
-void FilterGaSymmetry::initParameterSet(QAction* action, MeshDocument&, RichParameterList& parameters) {
-  parameters = filter(ID(action)).parameters();
+void FilterGaSymmetry::initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) {
+  parameters = filter(ID(action)).parameters(document);
 }
 
 bool FilterGaSymmetry::applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters,
@@ -65,8 +65,8 @@ bool FilterGaSymmetry::applyFilter(QAction* action, MeshDocument& document, cons
 
 QString FilterGaSymmetry::pythonFilterName(int id) const { return filter(id).python_name; }
 
-RichParameterList FilterGaSymmetry::initParameterList(const QAction* action, const MeshDocument&) {
-  return filter(ID(action)).parameters();
+RichParameterList FilterGaSymmetry::initParameterList(const QAction* action, const MeshDocument& document) {
+  return filter(ID(action)).parameters(document);
 }
 
 std::map<std::string, QVariant> FilterGaSymmetry::applyFilter(const QAction* action,

@@ -4,8 +4,9 @@
 namespace ga_symmetry {
 
 const std::vector<Filter>& all_filters() {
-  static const std::vector<Filter> filters{find_partners_filter(), show_pairs_filter(), mirror_attributes_filter(),
-                                           asymmetry_filter(),     samples_filter(),    import_partners_filter()};
+  static const std::vector<Filter> filters{find_partners_filter(),  show_pairs_filter(), mirror_attributes_filter(),
+                                           mirror_sculpt_filter(),  asymmetry_filter(),  samples_filter(),
+                                           import_partners_filter()};
   return filters;
 }
 

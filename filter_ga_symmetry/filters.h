@@ -10,6 +10,7 @@ namespace ga_symmetry {
 Filter find_partners_filter();
 Filter show_pairs_filter();
 Filter mirror_attributes_filter();
+Filter mirror_sculpt_filter();
 Filter asymmetry_filter();
 Filter samples_filter();
 Filter import_partners_filter();

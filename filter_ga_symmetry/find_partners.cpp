@@ -21,7 +21,7 @@ constexpr const char* info =
     "Colour: blue is a perfect match, red a<br>"
     "poor one, a fitness of 0.2 and more.";
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   RichParameterList list;
   const auto add = [&](OptionLevel level) {
     for (const OptionInfo& info : option_table())

@@ -16,7 +16,7 @@ constexpr const char* info =
     "mesh only, a .csv any pose of it<br>"
     "with the same vertices.";
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichOpenFile("partners_file", "", {"*.csv", "*.json"}, "File",
                              "A .csv with the columns vertex,partner,fitness,side, or a .json."));

@@ -83,6 +83,8 @@ void store_partners(MeshModel& layer, const Partners& p, const std::vector<Color
   }
 }
 
+bool has_partners(MeshModel& layer) { return Allocator::IsValidHandle(layer.cm, find_attribute(layer.cm, kPartner)); }
+
 Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh) {
   CMeshO& m = layer.cm;
   ScalarAttribute partner = find_attribute(m, kPartner), fitness = find_attribute(m, kFitness),

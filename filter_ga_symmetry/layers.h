@@ -32,6 +32,9 @@ vcg::Color4b meshlab_color(const Color& color);
 /// of memory.
 void store_partners(MeshModel& layer, const Partners& partners, const std::vector<Color>& colors);
 
+/// Does the layer keep partners, whether or not they fit it?
+bool has_partners(MeshModel& layer);
+
 /// The partners that the layer keeps. @throws InvalidOption  if there are none, or the mesh has changed since
 Partners stored_partners(MeshModel& layer, const TriangleMesh& mesh);
 

@@ -38,7 +38,7 @@ void add_filter(QDomDocument& document, const Filter& filter, QStringList& argum
   QStringList given;
   while (!arguments.isEmpty() && arguments[0].contains('=')) given << arguments.takeFirst();
   QDomElement element = filter_element(document, filter.name);
-  for (const RichParameter& parameter : filter.parameters()) {
+  for (const RichParameter& parameter : filter.parameters(MeshDocument())) {
     QDomElement child = parameter.fillToXMLDocument(document, false);
     for (int i = 0; i < given.size(); ++i)
       if (given[i].startsWith(parameter.name() + "="))
@@ -80,7 +80,7 @@ QString reference() {
                "--- | --- |\n")
                .arg(filter.name, filter.python_name, plain(filter.info));
     QDomDocument document;
-    for (const RichParameter& parameter : filter.parameters()) {
+    for (const RichParameter& parameter : filter.parameters(MeshDocument())) {
       const QDomElement element = parameter.fillToXMLDocument(document, false);
       QString type = element.attribute("type").mid(4), value = element.attribute("value");
       QStringList choices;

@@ -54,17 +54,56 @@ struct FilterRun {
   std::function<void(const std::string& line)> warn;
 };
 
+/// Adds a choice among the document's layers: one that is not the current one, if there is one.
+inline void add_layer_choice(RichParameterList& list, const QString& name, const MeshDocument& document,
+                             const QString& description, const QString& tooltip) {
+#if MESHLAB_GENERATION == 2020
+  auto& layers = const_cast<MeshDocument&>(document);  // what RichMesh asks for; it only reads
+  MeshModel* other = nullptr;
+  for (MeshModel* layer : layers.meshList)
+    if (!other || other == layers.mm()) other = layer;
+  if (other)
+    list.addParam(RichMesh(name, other, &layers, description, tooltip));
+  else
+    list.addParam(RichMesh(name, 0, description, tooltip));
+#else
+  unsigned int chosen = 0;
+  bool found = false;
+  for (const MeshModel& layer : document.meshIterator())
+    if (!found || (document.mm() && chosen == document.mm()->id())) chosen = layer.id(), found = true;
+  list.addParam(RichMesh(name, chosen, &document, description, tooltip));
+#endif
+}
+
+/// The layer that was chosen. nullptr: there is none such
+inline MeshModel* chosen_layer(const FilterRun& run, const QString& name) {
+#if MESHLAB_GENERATION == 2020
+  return run.parameters.getMesh(name);
+#else
+  return run.document.getMesh(run.parameters.getMeshId(name));
+#endif
+}
+
+/// After vertices have moved.
+inline void update_box_and_normals(MeshModel& layer) {
+#if MESHLAB_GENERATION == 2020
+  layer.UpdateBoxAndNormals();
+#else
+  layer.updateBoxAndNormals();
+#endif
+}
+
 /// Named values for scripts; seen by PyMeshLab only.
 using FilterOutputs = std::map<std::string, QVariant>;
 
 /// A filter, as every generation of MeshLab can run it. `apply` throws std::exception with a line for the user, and
 /// has then changed nothing.
 struct Filter {
-  const char* name;         ///< in menus and .mlx scripts
-  const char* python_name;  ///< in PyMeshLab
-  const char* info;         ///< HTML, on top of the dialog
-  int filter_class;         ///< FilterClass bits: the menus it appears in
-  RichParameterList (*parameters)();
+  const char* name;                                               ///< in menus and .mlx scripts
+  const char* python_name;                                        ///< in PyMeshLab
+  const char* info;                                               ///< HTML, on top of the dialog
+  int filter_class;                                               ///< FilterClass bits: the menus it appears in
+  RichParameterList (*parameters)(const MeshDocument& document);  ///< which may be empty
   FilterOutputs (*apply)(const FilterRun& run);
 };
 

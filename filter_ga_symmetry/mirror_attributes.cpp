@@ -18,7 +18,7 @@ constexpr const char* info =
 
 enum Attribute { kSelection, kColor, kQuality, kCustom };
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(
       RichEnum("attribute", kColor, {"Selection", "Color", "Quality", "Custom attribute"}, "What", "Of the vertices."));

@@ -16,7 +16,7 @@ constexpr const char* info =
     "uses them: a layer of points, and<br>"
     "patches of the nearest as colours.";
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("samples", 100, "Samples", "At least 1. The first k are the same whatever the number."));
   add_option(list, option_info("largest_component"));

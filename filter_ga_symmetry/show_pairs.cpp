@@ -23,7 +23,7 @@ constexpr const char* info =
     "Blue: a perfect match, red: poor,<br>"
     "a fitness of 0.2 and more.";
 
-RichParameterList parameters() {
+RichParameterList parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("pairs", 50, "Pairs", "Evenly spread; 0 = none."));
   list.addParam(RichBool("axis", true, "Axis", "The line where left meets right. A rotation has none."));

@@ -219,6 +219,20 @@ awk -F, 'NR == FNR { if (FNR > 1) { p[$1] = $2; s[$1] = $4 } next } FNR == 1 { i
   $2 != (s[$1] == -1 ? p[$1] : $1) || $3 != 0.5 { exit 1 }' known.csv mirrored.csv || fail "weights are not the partners'"
 expect 0 mirror body.off known.csv mirrored.csv --direction swap -o again.csv
 cmp -s mirrored.csv again.csv || fail "mirrored weights are not symmetric"
+# Sculpted shape: x and y of one side's vertices grow by a tenth, and so do those of the other.
+awk -F, 'NR > 1 { print $1, $4 }' known.csv > sides
+awk 'FILENAME == "sides" { side[$1] = $2; next } FNR <= 2 { if (FNR == 2) n = $1; print; next }
+  FNR <= n + 2 && side[FNR - 3] == 1 { print 1.1 * $1, 1.1 * $2, $3; next } { print }' sides body.off > sculpted.off
+expect 0 mirror body.off known.csv sculpted.off -o both.ply
+awk 'FILENAME == "both.ply" { if (body && k < n) { x[k] = $1; y[k] = $2; ++k } if ($2 == "vertex") n = $3
+    if (/^end_header/) body = 1; next }
+  FILENAME == "sides" { side[$1] = $2; next }
+  FNR > 2 && FNR <= n + 2 && side[FNR - 3] == -1 { off += sqrt((x[FNR-3] - 1.1*$1)^2 + (y[FNR-3] - 1.1*$2)^2)
+    size += 0.1 * sqrt($1^2 + $2^2) } END { exit !(size > 0 && off < 0.1 * size) }' both.ply sides body.off ||
+  fail "what was sculpted on one side is not on the other"
+expect 2 mirror body.off known.csv sculpted.off -o a.csv
+expect 2 mirror body.off known.csv sculpted.off
+expect 1 mirror body.off known.csv other.off -o a.ply
 expect 2 mirror body.off known.csv weights.csv --direction up
 expect 2 mirror body.off known.csv weights.csv -o a.ply
 echo vertex,w >short.csv

@@ -11,16 +11,19 @@
 
 namespace ga_symmetry::tool {
 std::string to_ply(const Drawing& d) {
-  std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(d.quality.size()) +
-                    "\nproperty double x\nproperty double y\nproperty double z\nproperty double quality\n";
+  const std::size_t points = d.position.size() / 3;
+  std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points) +
+                    "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (!d.quality.empty()) out += "property double quality\n";
   if (!d.triangles.empty())
     out += "element face " + std::to_string(d.triangles.size() / 3) + "\nproperty list uchar int vertex_indices\n";
   if (!d.edges.empty())
     out += "element edge " + std::to_string(d.edges.size()) + "\nproperty int vertex1\nproperty int vertex2\n";
   out += "end_header\n";
-  for (std::size_t i = 0; i < d.quality.size(); ++i) {
-    for (int k = 0; k < 3; ++k) out += number_text(d.position[3 * i + k]) + ' ';
-    out += number_text(d.quality[i]) + '\n';
+  for (std::size_t i = 0; i < points; ++i) {
+    for (int k = 0; k < 3; ++k) out += (k ? " " : "") + number_text(d.position[3 * i + k]);
+    if (!d.quality.empty()) out += ' ' + number_text(d.quality[i]);
+    out += '\n';
   }
   for (std::size_t i = 0; i < d.triangles.size(); i += 3) {
     out += '3';

@@ -10,7 +10,7 @@ namespace ga_symmetry::tool {
 /// Points with a value each, and what joins them.
 struct Drawing {
   std::vector<double> position;  ///< x,y,z per point
-  std::vector<double> quality;   ///< per point
+  std::vector<double> quality;   ///< per point; or none
   std::vector<std::array<int, 2>> edges;
   std::vector<int> triangles;  ///< three points each
 };

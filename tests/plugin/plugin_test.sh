@@ -358,6 +358,33 @@ case $case in
               if (case == "mirror_custom" && value[v] != (side[v] == 1 && p >= 0 && side[p] != 1 ? p : v)) exit 1 } }' ||
       fail "the values are not those of the partners"
     ;;
+  sculpt)
+    # A second layer, the same mesh with a swollen left; what the filter makes of it is what the tool makes of it.
+    filter "Conditional Vertex Selection" '<Param type="RichString" name="condSelect" value="vi == 0"/>'
+    serve "$sample" -m sa
+    expect_success
+    mv out.ply before.ply
+    rm ./*.mlx
+    "$tool" find before.ply --refs "$refs" -o known.csv
+    awk -v l="$l" '!body { print; if ($2 == "vertex") n = $3; body = $1 == "end_header"; next }
+      k < n { x[k] = $1; y[k] = $2; z[k] = $3; $1 = $2 = $3 = ""; rest[k++] = $0; if (k < n) next
+        for (v = 0; v < n; ++v) {
+          t = ((x[v]-x[l])^2 + (y[v]-y[l])^2 + (z[v]-z[l])^2) / 400; s = t < 1 ? 1 + 0.2 * (1 - t)^2 : 1
+          printf "%.9g %.9g %.9g%s\n", x[l] + s*(x[v]-x[l]), y[l] + s*(y[v]-y[l]), z[l] + s*(z[v]-z[l]), rest[v] }
+        next } { print }' before.ply > after.ply
+    "$tool" mirror before.ply known.csv after.ply -o wanted.ply
+    # The partners are read into the current layer, the last one; the original has none.
+    script load_partners_of_intrinsic_symmetry partners_file=known.csv transfer_sculpt_across_intrinsic_symmetry before=0
+    "$on_screen" "$meshlabserver" -i before.ply after.ply -o out.ply -l x -m sa -s 000.mlx > log 2>&1 || fail "meshlabserver failed"
+    grep -q "Mirrored the sculpted shape: [1-9]" log || fail "nothing was mirrored"
+    for file in before out wanted; do table $file.ply | awk '{ print $1, $2, $3 }' > $file; done
+    paste -d' ' out wanted before | awk '{ d = ($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2; if (d > 1e-6) exit 1
+      moved += ($4-$7)^2 + ($5-$8)^2 + ($6-$9)^2 > 1 } END { exit !moved }' || fail "the filter and the tool differ"
+    rm out.ply 000.mlx
+    script load_partners_of_intrinsic_symmetry partners_file=known.csv transfer_sculpt_across_intrinsic_symmetry before=1
+    "$on_screen" "$meshlabserver" -i before.ply after.ply -o out.ply -l x -m sa -s 000.mlx > log 2>&1 && fail "its own original"
+    grep -q "the layer before sculpting is missing" log || fail "no word about the layer that was chosen"
+    ;;
   mirror_nothing)
     script "references=$refs"
     script transfer_attributes_across_intrinsic_symmetry attribute=3 custom_attribute=weight

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values at the vertices - a selection, colours, weights - carried across a symmetry.
+// Values at the vertices - a selection, colours, weights - and sculpted shape, carried across a symmetry.
 #pragma once
 #include <cstddef>
 #include <vector>
 
+#include "ga_symmetry/context.h"
+#include "ga_symmetry/mesh.h"
 #include "ga_symmetry/partners.h"
 
 namespace ga_symmetry {
@@ -42,5 +44,20 @@ std::vector<Value> transferred(const std::vector<Value>& values, const TransferP
 
 /// Numbers: the source's, or for `average` the mean of both.
 std::vector<double> transferred(const std::vector<double>& values, const TransferPlan& plan, Transfer transfer);
+
+/// What was sculpted on one side, on the other, in any pose: every vertex moves as its partner point did, as seen from
+/// the surface around it. Vertices that receive nothing stay where they are after sculpting.
+/// @param before    the mesh with these partners
+/// @param after     the same vertices after sculpting; its faces are not looked at
+/// @param partners  of `before`
+/// @param transfer  `average` makes what was sculpted symmetric
+/// @param threads   0 = all cores; speed only
+/// @param context   progress and cancelling
+/// @return the positions, x,y,z per vertex
+/// @throws InvalidOption  as check_partners and plan_transfer; if `after` has other vertices
+/// @throws InvalidMesh    as find_symmetry, of `before`; if a coordinate of `after` is not finite
+/// @throws Cancelled
+std::vector<double> transferred_shape(const TriangleMesh& before, const TriangleMesh& after, const Partners& partners,
+                                      Transfer transfer, int threads = 0, const Context& context = {});
 
 }  // namespace ga_symmetry

@@ -9,8 +9,8 @@
 #include <nanoflann.hpp>
 
 #include "ga_symmetry/errors.h"
+#include "matching/local_motion.h"
 #include "surface/locate.h"
-#include "surface/nearest_point.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -18,47 +18,18 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-// Takes what is near a vertex to where its partner is.
-struct Motion {
-  Vector from, to;  // centres
-  Eigen::Matrix3d turn;
-  Vector operator()(const Vector& p) const { return to + turn * (p - from); }
-};
-
 Vector position(const Surface& s, const SurfacePoint& p) {
   return p.weight[0] * Vector(s.point(p.vertex[0])) + p.weight[1] * Vector(s.point(p.vertex[1])) +
          p.weight[2] * Vector(s.point(p.vertex[2]));
 }
 
-// The best rigid motion of the two rings around every vertex (Kabsch 1976).
-std::vector<Motion> local_motions(const Surface& s, const std::vector<SurfacePoint>& point, bool reflection,
-                                  int threads) {
-  constexpr int kRings = 2;
+std::vector<LocalMotion> local_motions(const Surface& s, const std::vector<SurfacePoint>& point, bool reflection,
+                                       int threads) {
   const int n = s.vertices();
   std::vector<Vector> image(n);
   for (int v = 0; v < n; ++v) image[v] = position(s, point[v]);
-  std::vector<Motion> out(n);
-  parallel_for(n, threads, [&](int v, int) {
-    std::vector<int> near{v};
-    std::size_t first = 0;
-    for (int ring = 0; ring < kRings; ++ring) {
-      const std::size_t last = near.size();
-      for (; first < last; ++first)
-        for (int i = s.first_corner[near[first]]; i < s.first_corner[near[first] + 1]; ++i)
-          for (int w : {s.triangle[next_corner(s.corner_at[i])], s.triangle[previous_corner(s.corner_at[i])]})
-            if (std::find(near.begin(), near.end(), w) == near.end()) near.push_back(w);
-    }
-    Motion m;
-    m.from = m.to = Vector::Zero();
-    for (int w : near) m.from += Vector(s.point(w)), m.to += image[w];
-    m.from /= static_cast<double>(near.size()), m.to /= static_cast<double>(near.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (int w : near) covariance += (image[w] - m.to) * (Vector(s.point(w)) - m.from).transpose();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() * (reflection ? -1 : 1);
-    m.turn = svd.matrixU() * Vector(1, 1, sign < 0 ? -1 : 1).asDiagonal() * svd.matrixV().transpose();
-    out[v] = m;
-  });
+  std::vector<LocalMotion> out(n);
+  parallel_for(n, threads, [&](int v, int) { out[v] = local_motion(s, image, v, reflection); });
   return out;
 }
 
@@ -116,7 +87,7 @@ SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool 
                          const Context& context) {
   const Surface &s = search.searched(), &mesh = search.of_mesh();
   const int n = mesh.vertices();
-  const std::vector<Motion> motion = local_motions(s, found.point, reflection, threads);
+  const std::vector<LocalMotion> motion = local_motions(s, found.point, reflection, threads);
   const double edge = std::sqrt(2 * s.area / s.triangles());
 
   std::vector<Vector> normal(n);
@@ -214,18 +185,7 @@ SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool 
   found.point.assign(n, {});
   for_each_place([&](int p) {
     const int q = partner[p];
-    if (q < 0) return;
-    found.point[p] = {{q, q, q}, {1, 0, 0}};
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = mesh.first_corner[q]; i < mesh.first_corner[q + 1]; ++i) {
-      const int* t = &mesh.triangle[3 * static_cast<std::size_t>(mesh.corner_at[i] / 3)];
-      const Vector a(mesh.point(t[0])), ab = Vector(mesh.point(t[1])) - a, ac = Vector(mesh.point(t[2])) - a;
-      const Vector ap = image[p] - a;
-      double x, y;
-      nearest_in_triangle(ap, ab, ac, x, y);
-      const double d = (ap - x * ab - y * ac).squaredNorm();
-      if (d < least) least = d, found.point[p] = {{t[0], t[1], t[2]}, {std::max(0.0, 1 - x - y), x, y}};
-    }
+    if (q >= 0) found.point[p] = nearest_around(mesh, q, image[p]);
   });
   found.fitness = interpolated(search.place(), found.fitness);
   if (!found.left_right.empty()) found.left_right = interpolated(search.place(), found.left_right);
