@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -70,14 +69,14 @@ Truth read_line_by_line(const fs::path& from, const fs::path& to, int vertices) 
   return out;
 }
 
-References read_references(const fs::path& path, int vertices) {
-  std::vector<int> v;
-  for_lines(path, [&](const auto& words) {
-    for (std::string_view word : words) v.push_back(parse_index(word, 0, vertices, "vertex"));
-  });
-  if (v.size() != 4 || std::set<int>(v.begin(), v.end()).size() != 4)
-    throw FileError("cannot read " + path.string() + ": expected four different vertices `a0 a1 l r`");
-  return {{v[0], v[1]}, {{v[2], v[3]}}};
+References read_two_and_a_pair(const std::string& path, int vertices) {
+  const References r = read_references(path);
+  if (r.axis.size() != 2 || r.pairs.size() != 1)
+    throw FileError("cannot read " + path + ": expected four different vertices `a0 a1 l r`");
+  for (const int v : {r.axis[0], r.axis[1], r.pairs[0][0], r.pairs[0][1]})
+    if (v >= vertices)
+      throw FileError("cannot read " + path + ": vertex " + std::to_string(v) + " of " + std::to_string(vertices));
+  return r;
 }
 
 // NAME, NAME without the digits at its end, or the only landmarks there are.
@@ -104,7 +103,7 @@ KnownSymmetry read_known_symmetry(const std::string& mesh_path, const std::strin
       out.truth.push_back({v, parse_index(words[1], 0, vertices, "vertex")});
     });
     if (const fs::path references = file(name, ".refs"); fs::exists(references))
-      out.references = read_references(references, vertices);
+      out.references = read_two_and_a_pair(references.string(), vertices);
     out.path = truth.string();
   } else if (const fs::path from = file(name, ".vts"); fs::exists(from)) {
     out.truth = read_line_by_line(from, file(name, ".sym.vts"), vertices);

@@ -6,7 +6,6 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "ga_symmetry/io.h"
@@ -163,10 +162,8 @@ TEST(ReferencesFromSelection, TellsTheRolesOnPosedAnimalsAndPeople) {
     if (entry.path().extension() != ".off") continue;
     ++meshes;
     fs::path path = entry.path();
-    std::ifstream in(path.replace_extension(".refs"));
-    std::array<int, 4> refs{};
-    for (int& v : refs) in >> v;
-    ASSERT_TRUE(in) << path;
+    const References known = read_references(path.replace_extension(".refs").string());
+    const std::array<int, 4> refs{known.axis[0], known.axis[1], known.pairs[0][0], known.pairs[0][1]};
     const References r =
         references_from_selection(read_mesh(entry.path().string()), {refs[3], refs[0], refs[2], refs[1]}, {});
     EXPECT_EQ(r.axis, (std::vector<int>{std::min(refs[0], refs[1]), std::max(refs[0], refs[1])})) << path;

@@ -96,16 +96,9 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path) || (!path.empty() && path.back() == '/');
 }
 
-// The references of NAME.refs beside NAME.off, written as for --refs.
-std::string read_reference_file(const std::string& mesh) {
-  const std::string path = std::filesystem::path(mesh).replace_extension(".refs").string();
-  std::ifstream in(path);
-  if (!in) throw FileError("cannot read " + path + ": it is to hold the references");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 References references_of(const Arguments& a, const std::string& mesh) {
-  return parse_references(a.reference_files ? read_reference_file(mesh) : a.references);
+  if (!a.reference_files) return parse_references(a.references);
+  return read_references(std::filesystem::path(mesh).replace_extension(".refs").string());
 }
 
 // What is wrong whatever the mesh is said before the first is read.

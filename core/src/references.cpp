@@ -164,6 +164,14 @@ References parse_references(const std::string& text) {
   return references;
 }
 
+References read_references(const std::string& path) {
+  try {
+    return parse_references(read_text(path));
+  } catch (const std::runtime_error& error) {
+    throw FileError("cannot read " + path + ": " + error.what());
+  }
+}
+
 References references_from_selection(const TriangleMesh& mesh, const std::array<int, 4>& selected,
                                      const Options& options, const Context& context) {
   std::array<int, 4> vertex = selected;

@@ -279,9 +279,13 @@ TEST_F(DataSet, RefusesWhatIsWrong) {
   write("a.truth", std::string("0 1\n\0\xff 2\n", 9));
   expect_refused("a.off", "line 2");
   write("a.truth", "0 1\n");
-  for (const char* bad : {"1 2 3", "1 2 3 4 5", "1 2 3 3"}) {
+  for (const auto& [bad, why] : {std::pair("1 2 3", "an even number"),
+                                 {"1 2 3 3", "a.refs: "},
+                                 {"1 2 3 x", "a.refs: "},
+                                 {"1 2", "four different vertices"},
+                                 {"1 2 3 10", "vertex 10 of 10"}}) {
     write("a.refs", bad);
-    expect_refused("a.off", "four different vertices");
+    expect_refused("a.off", why);
   }
   write("b.vts", "1\n2\n");
   expect_refused("b.off", "b.sym.vts");

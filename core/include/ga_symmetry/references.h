@@ -26,6 +26,10 @@ struct References {
 /// @throws InvalidOption  if the text is not of that form
 References parse_references(const std::string& text);
 
+/// Reads a file that holds references, as parse_references takes them: NAME.refs beside NAME.off, by convention.
+/// @throws FileError  if it cannot be read or is not of that form
+References read_references(const std::string& path);
+
 /// Works out which two of four selected vertices lie on the axis and which two are the pair: the pair (c,d) has d(a,c)
 /// = d(a,d) and d(b,c) = d(b,d), by geodesic distance; where that is not plain, the one with which the search is more
 /// confident, which takes as long as two searches. Order of the input does not matter.

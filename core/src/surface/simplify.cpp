@@ -122,7 +122,7 @@ Surface simplified(const Surface& s, int vertices, const Context& context) {
   parameters.PreserveTopology = true;
   parameters.PreserveBoundary = true;
   parameters.NormalCheck = true;
-  parameters.UseArea = false;  // vcglib of 2020.09 weighs faces by the square of the area, 2025.07 by the area
+  parameters.UseArea = false;        // vcglib of 2020.09 weighs faces by the square of the area, 2025.07 by the area
   parameters.QualityQuadric = true;  // distances want triangles of good shape on flat parts too
   parameters.QualityQuadricWeight = 0.02;
   static std::mutex one_at_a_time;  // vcglib keeps the session's state in static variables

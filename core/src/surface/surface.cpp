@@ -17,12 +17,6 @@
 namespace ga_symmetry {
 namespace {
 
-double squared(const double* a, const double* b) {
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
 double triangle_area(const double* a, const double* b, const double* c) {
   const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
@@ -179,7 +173,7 @@ void connect(Surface& s, const Context& context) {
 }  // namespace
 
 double Surface::unit() const { return std::sqrt(area); }
-double Surface::edge_length(int a, int b) const { return std::sqrt(squared(point(a), point(b))); }
+double Surface::edge_length(int a, int b) const { return std::sqrt(squared_distance(point(a), point(b))); }
 
 Surface surface_of(std::vector<double> position, std::vector<int> triangle, const Context& context) {
   Surface s;

@@ -29,12 +29,6 @@ constexpr double kSeam = 0.01;
 
 using Point = std::array<double, 3>;
 
-double squared(const double* a, const double* b) {
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
 // Twice the area, squared.
 double squared_area(const double* a, const double* b, const double* c) {
   const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -179,7 +173,7 @@ int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, 
   for (std::size_t c = 0; c < triangle.size(); ++c) {
     const int a = triangle[c], b = triangle[c % 3 == 2 ? c - 2 : c + 1];
     if (shortest[a] < 0 && shortest[b] < 0) continue;
-    const auto length = static_cast<float>(std::sqrt(squared(at(a), at(b))));
+    const auto length = static_cast<float>(std::sqrt(squared_distance(at(a), at(b))));
     for (int v : {a, b}) shortest[v] = std::min(shortest[v], length);
   }
   const auto root = [&](int v) {
@@ -193,7 +187,7 @@ int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, 
     const int a = border.places()[i];
     border.within(at(a), kSeam * shortest[a], near);
     for (int b : near) {
-      if (b <= a || squared(at(a), at(b)) > std::pow(kSeam * shortest[b], 2)) continue;
+      if (b <= a || squared_distance(at(a), at(b)) > std::pow(kSeam * shortest[b], 2)) continue;
       const int x = root(a), y = root(b);
       if (x == y) continue;
       merged[std::max(x, y)] = std::min(x, y);
@@ -221,7 +215,7 @@ int split_at_junctions(const std::vector<double>& position, std::vector<int>& tr
       stop_at(i, context);
       const int c = corners[i], f = c / 3, a = triangle[c], b = triangle[3 * f + (c + 1) % 3],
                 d = triangle[3 * f + (c + 2) % 3];
-      const double length = std::sqrt(squared(at(a), at(b)));
+      const double length = std::sqrt(squared_distance(at(a), at(b)));
       if (changed[f]) {  // its corners may have moved: next round
         again.push_back(c);
         continue;
@@ -275,7 +269,7 @@ int dissolve_needles(const std::vector<double>& position, std::vector<int>& tria
     double most = -1;
     int corner = 0;
     for (int k = 0; k < 3; ++k) {
-      const double d = squared(at(t[(k + 1) % 3]), at(t[(k + 2) % 3]));
+      const double d = squared_distance(at(t[(k + 1) % 3]), at(t[(k + 2) % 3]));
       if (d > most) most = d, corner = k;
     }
     return std::make_pair(corner, most);

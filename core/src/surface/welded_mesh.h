@@ -9,6 +9,13 @@
 
 namespace ga_symmetry {
 
+/// Squared distance of two points through space.
+inline double squared_distance(const double* a, const double* b) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
 struct WeldedMesh {
   std::vector<double> position;    ///< x,y,z per place; the box of the faces fits the unit cube, its corner is 0
   std::vector<int> triangle;       ///< three places per face, all different; no face twice
