@@ -12,13 +12,10 @@ double map_distance(const Sites& sites, const SampleMap& a, const SampleMap& b) 
 }
 
 double moved_share(const Sites& sites, const SampleMap& map) {
-  // Squared distance at which a partner counts half: 0.14 units, about what lies between neighbouring samples.
-  constexpr double kMoved2 = 0.02;
   double sum = 0;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    const float d = sites.distance(static_cast<int>(i), map[i]);
-    const double d2 = d * d;
-    sum += d2 / (d2 + kMoved2);
+    const double d = sites.distance(static_cast<int>(i), map[i]);
+    sum += moved_share(d * d);
   }
   return sum / static_cast<double>(map.size());
 }

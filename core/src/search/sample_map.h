@@ -15,7 +15,7 @@ using SampleMap = std::vector<int>;
 /// Mean distance between the partners that two maps give, each counted as 1 at most; [0,1] units.
 double map_distance(const Sites& sites, const SampleMap& a, const SampleMap& b);
 
-/// Share of the samples that a map moves, [0,1): those near their partners count in part.
+/// Mean over the samples of how far a map moves them, [0,1).
 double moved_share(const Sites& sites, const SampleMap& map);
 
 void sort_by_cost(Population<SampleMap>& population);
