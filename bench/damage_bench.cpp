@@ -151,7 +151,7 @@ void make(const std::string& path, int levels, const std::string& out) {
   damage::add_noise(d, 0.2 * edge, random);
   damage::add_fins(d, mesh.triangles() / 100, random);
   damage::split_seams(d, 30, random);
-  damage::add_debris(d, 2000, random);
+  damage::add_debris(d, 200, random);
   damage::finish(d, random);
   write(d.mesh, out);
 }

@@ -40,8 +40,8 @@ std::vector<int> across(const TriangleMesh& mesh) {
   const int corners = 3 * mesh.triangles();
   std::vector<std::array<int, 3>> edges;
   for (int c = 0; c < corners; ++c) {
-    const auto [a, b] = std::minmax(tail(mesh, c), head(mesh, c));
-    edges.push_back({a, b, c});
+    const int a = tail(mesh, c), b = head(mesh, c);
+    edges.push_back({std::min(a, b), std::max(a, b), c});
   }
   std::sort(edges.begin(), edges.end());
   std::vector<int> out(corners, -1);

@@ -107,22 +107,22 @@ double diagonal_of(const Surface& mesh) {
   return (high - low).norm();
 }
 
-// Share of the mesh's vertices that lie far from a part, as the crow flies.
+// Share of the mesh's area that lies far from a part, as the crow flies.
 double share_beyond(const Surface& mesh, const std::vector<int>& part, int wanted, const Surface& lead, double far) {
   std::vector<double> position = lead.position;
   std::vector<int> triangle = lead.triangle;
   split_long_edges(position, triangle, far);
   const Eigen::Map<const Points> points(position.data(), static_cast<Eigen::Index>(position.size() / 3), 3);
   const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(points));
-  int beyond = 0;
+  double beyond = 0;
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (part[v] < 0 || part[v] == wanted) continue;
     Eigen::Index nearest;
     double squared;
     tree.query(mesh.point(v), 1, &nearest, &squared);
-    beyond += squared > far * far;
+    if (squared > far * far) beyond += mesh.vertex_area[v];
   }
-  return static_cast<double>(beyond) / mesh.vertices();
+  return beyond / mesh.area;
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
 
 // The mesh's only part, or the one that leads. @return false where there is none that would do
 bool SearchSurface::lead(int vertices, const Context& context) {
-  // A part leads by its share of the area, if few of the other vertices are farther off than a share of the diagonal.
+  // A part leads by its share of the area, if little of the others is farther off than a share of the diagonal.
   constexpr double kLeading = 0.5, kFar = 0.04, kFew = 0.02;
   // Time grows with the square of the faces around a vertex.
   constexpr int kMostFacesAround = 2000;
