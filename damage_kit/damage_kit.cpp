@@ -129,6 +129,7 @@ std::vector<int> split(Damaged& d, const std::vector<int>& piece_of_face) {
 std::vector<int> draw_charts(const TriangleMesh& mesh, int charts, Random& random) {
   const std::vector<int> other = across(mesh);
   std::vector<int> chart(mesh.triangles(), -1), reached;
+  if (chart.empty()) return chart;
   for (int i = 0; i < charts; ++i) {
     const int f = static_cast<int>(draw_below(random, mesh.triangles()));
     if (chart[f] < 0) chart[f] = i, reached.push_back(f);
@@ -270,6 +271,7 @@ void loosen_faces(Damaged& d, double share, Random& random) {
 void add_debris(Damaged& d, int pieces, Random& random) {
   constexpr double kAround = 0.1;  // of the box
   const Eigen::AlignedBox3d around = box(d.mesh);
+  if (around.isEmpty()) return;
   for (int i = 0; i < pieces; ++i) {
     const double size = draw(random, 0.003, 0.015) * around.diagonal().norm();
     const Vector centre = around.center() + (0.5 + kAround) * around.sizes().cwiseProduct(draw_vector(random));
