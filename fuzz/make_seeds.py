@@ -98,9 +98,9 @@ seed("options", "all", bytes([0, 1]) + b"".join(b"\x01" + struct.pack("<i", x) f
 seed("surface", "grid", bytes([0, 6, 6, 0]))
 seed("surface", "tube", bytes([1, 8, 5, 1]))
 seed("surface", "torus", bytes([0, 9, 8, 3]))
-seed("surface", "rotation", bytes([98, 9, 8, 3]))
+seed("surface", "rotation", bytes([2, 9, 8, 3]))
 seed("surface", "references", bytes([100, 0, 40, 20, 33, 9, 8, 0]))
-seed("surface", "pairs", bytes([108, 0, 40, 20, 33, 9, 8, 0]))
+seed("surface", "pairs", bytes([12, 0, 40, 20, 33, 9, 8, 0]))
 seed("surface", "changed", bytes([1, 8, 8, 1]) + b"".join(struct.pack("<BHb", k, 3 * k, k % 50) for k in range(60))
      + struct.pack("<BHB", 120, 7, 33) + struct.pack("<BH", 180, 9) + struct.pack("<BHff", 210, 3, 1, 2) + struct.pack("<BH3B", 240, 0, 1, 2, 9))
 # choice 16: other parts, each a grid, where it is moved to and its size; then damages, each a kind and a seed.

@@ -92,12 +92,12 @@ void through_the_door(const TriangleMesh& mesh, const Options& o) {
   search.locate(o.references);
   SurfaceResult found;
   found.fitness.assign(n, 0.0);
-  found.left_right.assign(n, 0.0f);
   for (int v = 0; v < n; ++v) {
     found.partner.push_back(n - 1 - v);
     found.point.push_back({{n - 1 - v, n - 1 - v, n - 1 - v}, {1, 0, 0}});
   }
   if (!search.direct()) found = prolongate(std::move(found), search, o.symmetry != SymmetryKind::rotation, 1);
+  found.side.assign(found.partner.size(), 0);
   check(mesh, to_mesh(std::move(found), {}, search.of_mesh(), 0));
 }
 
