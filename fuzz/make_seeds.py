@@ -94,12 +94,12 @@ seed("options", "pairs", bytes([1, 0]) + bytes(10 + 12) + bytes([2]) + struct.pa
 seed("options", "all", bytes([0, 1]) + b"".join(b"\x01" + struct.pack("<i", x) for x in (2, 2000, 50, 4, 5, 9, 30, 60, 8, 2))
      + b"".join(b"\x01" + struct.pack("<d", x) for x in (1.96, -1.96, 0.01, 0.01, 0.4, 2, 3, 1, 0.3, 1, 0.1, 1)) + bytes(2))
 
-# choice, then the grid: columns, rows, wrap; then changes. Choice 96: the whole search.
+# choice, then the grid: columns, rows, wrap; then changes. Choice 96: the whole search, too long for a seed.
 seed("surface", "grid", bytes([0, 6, 6, 0]))
 seed("surface", "tube", bytes([1, 8, 5, 1]))
 seed("surface", "torus", bytes([0, 9, 8, 3]))
 seed("surface", "rotation", bytes([2, 9, 8, 3]))
-seed("surface", "references", bytes([100, 0, 40, 20, 33, 9, 8, 0]))
+seed("surface", "references", bytes([4, 0, 40, 20, 33, 9, 8, 0]))
 seed("surface", "pairs", bytes([12, 0, 40, 20, 33, 9, 8, 0]))
 seed("surface", "changed", bytes([1, 8, 8, 1]) + b"".join(struct.pack("<BHb", k, 3 * k, k % 50) for k in range(60))
      + struct.pack("<BHB", 120, 7, 33) + struct.pack("<BH", 180, 9) + struct.pack("<BHff", 210, 3, 1, 2) + struct.pack("<BH3B", 240, 0, 1, 2, 9))
