@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "ga_symmetry/io.h"
 #include "ga_symmetry/symmetry.h"
 #include "geodesics/geodesics.h"
+#include "subdivided.h"
 #include "vcg_geodesic.h"
 
 namespace {
@@ -24,24 +24,6 @@ namespace {
 using namespace ga_symmetry;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-TriangleMesh subdivided(const TriangleMesh& mesh) {
-  TriangleMesh out;
-  out.position = mesh.position;
-  std::map<std::pair<int, int>, int> middle;
-  const auto between = [&](int a, int b) {
-    const auto [it, fresh] = middle.try_emplace(std::minmax(a, b), out.vertices());
-    if (fresh)
-      for (int k = 0; k < 3; ++k) out.position.push_back(0.5 * (mesh.position[3 * a + k] + mesh.position[3 * b + k]));
-    return it->second;
-  };
-  for (std::size_t f = 0; f < mesh.triangle.size(); f += 3) {
-    const int a = mesh.triangle[f], b = mesh.triangle[f + 1], c = mesh.triangle[f + 2];
-    const int ab = between(a, b), bc = between(b, c), ca = between(c, a);
-    out.triangle.insert(out.triangle.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
-  }
-  return out;
-}
 
 double yardstick(const Surface& surface) {
   baseline::VcgGeodesic vcg(surface);

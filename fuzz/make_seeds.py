@@ -94,7 +94,7 @@ seed("options", "pairs", bytes([1, 0]) + bytes(10 + 12) + bytes([2]) + struct.pa
 seed("options", "all", bytes([0, 1]) + b"".join(b"\x01" + struct.pack("<i", x) for x in (2, 2000, 50, 4, 5, 9, 30, 60, 8, 2))
      + b"".join(b"\x01" + struct.pack("<d", x) for x in (1.96, -1.96, 0.01, 0.01, 0.4, 2, 3, 1, 0.3, 1, 0.1, 1)) + bytes(2))
 
-# choice, then the grid: columns, rows, wrap; then changes.
+# choice, then the grid: columns, rows, wrap; then changes. Choice 96: the whole search, too long for a seed.
 seed("surface", "grid", bytes([0, 6, 6, 0]))
 seed("surface", "tube", bytes([1, 8, 5, 1]))
 seed("surface", "torus", bytes([0, 9, 8, 3]))
@@ -103,3 +103,10 @@ seed("surface", "references", bytes([4, 0, 40, 20, 33, 9, 8, 0]))
 seed("surface", "pairs", bytes([12, 0, 40, 20, 33, 9, 8, 0]))
 seed("surface", "changed", bytes([1, 8, 8, 1]) + b"".join(struct.pack("<BHb", k, 3 * k, k % 50) for k in range(60))
      + struct.pack("<BHB", 120, 7, 33) + struct.pack("<BH", 180, 9) + struct.pack("<BHff", 210, 3, 1, 2) + struct.pack("<BH3B", 240, 0, 1, 2, 9))
+# choice 16: other parts, each a grid, where it is moved to and its size; then damages, each a kind and a seed.
+parts = bytes([2]) + bytes([9, 6, 1]) + struct.pack("<4b", 40, 8, 0, 0) + bytes([5, 5, 3]) + struct.pack("<4b", 0, 0, 90, -2)
+seed("surface", "parts", bytes([16, 9, 8, 3]) + parts + bytes([0]))
+for kind in range(13):
+    seed("surface", f"damage_{kind}", bytes([16, 9, 8, 3]) + (parts if kind % 2 else bytes([0])) + bytes([1, kind, 7]))
+seed("surface", "damage_twice", bytes([20, 0, 40, 20, 33, 9, 8, 0]) + parts + bytes([3, 12, 1, 9, 2, 4, 3]))
+seed("surface", "tiny", bytes([16, 2, 2, 0, 0, 2, 10, 1, 12, 2]))

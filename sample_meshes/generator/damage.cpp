@@ -44,8 +44,9 @@ std::vector<Face> largest_component(const std::vector<Face>& faces) {
   return out;
 }
 
-// Takes vertices away, and then whatever hangs on by a single vertex.
-Sample remove(const Sample& s, std::vector<bool> drop) {
+}  // namespace
+
+Sample without(const Sample& s, std::vector<bool> drop) {
   std::vector<Face> faces = s.mesh.face;
   for (bool again = true; again;) {
     const auto gone = [&](const Face& f) { return drop[f[0]] || drop[f[1]] || drop[f[2]]; };
@@ -79,11 +80,13 @@ Sample remove(const Sample& s, std::vector<bool> drop) {
   return out;
 }
 
+namespace {
+
 template <class Predicate>
 Sample remove_where(const Sample& s, Predicate predicate) {
   std::vector<bool> drop(s.mesh.point.size());
   for (std::size_t v = 0; v < drop.size(); ++v) drop[v] = predicate(v);
-  return remove(s, std::move(drop));
+  return without(s, std::move(drop));
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 namespace samples {
 
+/// Without some vertices, and without what then hangs on by a single vertex or not at all; the largest piece is left.
+Sample without(const Sample& sample, std::vector<bool> drop);
+
 /// The left hand cut off at the wrist, the wound closed.
 Sample without_left_hand(const Sample& sample);
 /// A hump on the left of the back. The hump and its place on the right have no counterpart.

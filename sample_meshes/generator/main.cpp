@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "assemble.h"
 #include "complete.h"
 #include "damage.h"
 #include "remesh.h"
@@ -19,15 +20,8 @@
 namespace samples {
 namespace {
 
-constexpr double kFlipped = 0.12;  // share of the edges flipped, so that connectivity is not symmetric
-
 Sample exact_sample(const Shape& shape, const Symmetric& whole, const NamedPose& pose, ga_symmetry::Random& random) {
-  Sample s;
-  s.name = shape.name + "_" + pose.name;
-  s.rest = whole.mesh.point;
-  s.mesh = {bend(pose.joints, s.rest), whole.mesh.face};
-  flip_edges(s.mesh, kFlipped, random);
-  s.partner = whole.image[shape.generator];
+  Sample s = posed(shape.name + "_" + pose.name, whole.mesh, whole.image[shape.generator], pose, random);
   s.order = shape.half_space ? 2 : 3;
   for (std::size_t g = 0; g < shape.group.size(); ++g)
     if (s.order == 3 && shape.group[g].determinant() < 0) s.mirrors.push_back(whole.image[g]);
@@ -94,8 +88,15 @@ void make(const std::string& folder, int vertices) {
         shuffle(s, random);
         write(s, folder);
       }
+      if (sample.name == "animal_beg") {
+        ga_symmetry::Random other(1);
+        write(scanned_with_debris(sample, other), folder);
+      }
     }
   }
+  ga_symmetry::Random random(1);
+  for (const NamedPose& pose : dressed_poses()) write(dressed(pose, random), folder);
+  write(low_poly(person(), person().poses[0], random), folder);
 }
 
 }  // namespace

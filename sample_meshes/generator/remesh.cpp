@@ -3,6 +3,8 @@
 
 #include <vcg/complex/algorithms/clean.h>
 #include <vcg/complex/algorithms/isotropic_remeshing.h>
+#include <vcg/complex/algorithms/local_optimization.h>
+#include <vcg/complex/algorithms/local_optimization/tri_edge_collapse_quadric.h>
 #include <vcg/complex/complex.h>
 #include <vcg/space/index/kdtree/kdtree.h>
 
@@ -17,10 +19,23 @@ class V;
 class F;
 struct Used : vcg::UsedTypes<vcg::Use<V>::AsVertexType, vcg::Use<F>::AsFaceType> {};
 class V : public vcg::Vertex<Used, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::Qualityd,
-                             vcg::vertex::VFAdj, vcg::vertex::Color4b, vcg::vertex::Mark, vcg::vertex::BitFlags> {};
+                             vcg::vertex::VFAdj, vcg::vertex::Color4b, vcg::vertex::Mark, vcg::vertex::BitFlags> {
+ public:
+  vcg::math::Quadric<double>& Qd() { return quadric_; }
+
+ private:
+  vcg::math::Quadric<double> quadric_;
+};
 class F : public vcg::Face<Used, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::Qualityd, vcg::face::FFAdj,
                            vcg::face::VFAdj, vcg::face::Mark, vcg::face::BitFlags> {};
 class M : public vcg::tri::TriMesh<std::vector<V>, std::vector<F>> {};
+
+using Pair = vcg::tri::BasicVertexPair<V>;
+class Collapse : public vcg::tri::TriEdgeCollapseQuadric<M, Pair, Collapse, vcg::tri::QInfoStandard<V>> {
+ public:
+  using Base = vcg::tri::TriEdgeCollapseQuadric<M, Pair, Collapse, vcg::tri::QInfoStandard<V>>;
+  Collapse(const Pair& pair, int mark, vcg::BaseParameterClass* parameters) : Base(pair, mark, parameters) {}
+};
 
 void fill(M& out, const Mesh& mesh) {
   auto v = vcg::tri::Allocator<M>::AddVertices(out, mesh.point.size());
@@ -60,6 +75,26 @@ Mesh isotropic_remesh(const Mesh& mesh, double edge, int rounds) {
   params.userSelectedCreases = true;  // none: all shapes are smooth
   vcg::tri::IsotropicRemeshing<M>::Do(m, params);
   vcg::tri::Clean<M>::RemoveUnreferencedVertex(m);
+  vcg::tri::Allocator<M>::CompactEveryVector(m);
+  return read(m);
+}
+
+Mesh decimated(const Mesh& mesh, int vertices) {
+  M m;
+  fill(m, mesh);
+  vcg::tri::UpdateTopology<M>::VertexFace(m);
+  vcg::tri::UpdateFlags<M>::VertexBorderFromNone(m);
+  vcg::tri::UpdateNormal<M>::PerVertexNormalizedPerFaceNormalized(m);
+  vcg::tri::TriEdgeCollapseQuadricParameter params;
+  params.PreserveTopology = true;
+  params.NormalCheck = true;
+  params.BoundaryQuadricWeight = 10;
+  params.QualityQuadric = true;
+  vcg::LocalOptimization<M> session(m, &params);
+  session.Init<Collapse>();
+  session.SetTargetVertices(vertices);
+  session.DoOptimization();
+  session.Finalize<Collapse>();
   vcg::tri::Allocator<M>::CompactEveryVector(m);
   return read(m);
 }

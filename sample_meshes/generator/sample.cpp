@@ -42,8 +42,63 @@ std::vector<double> distances(const Mesh& mesh, const Neighbours& around, const 
   return d;
 }
 
-// Two fixed points far apart, and a pair as far from them, or from the axis, as possible.
-std::array<int, 4> references(const Sample& s, const Neighbours& around) {
+double least_angle(const Mesh& mesh) {
+  double least = 180;
+  for (const Face& f : mesh.face)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 u = mesh.point[f[(k + 1) % 3]] - mesh.point[f[k]], v = mesh.point[f[(k + 2) % 3]] - mesh.point[f[k]];
+      least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::acos(-1.0));
+    }
+  return least;
+}
+
+void check_truth(const Sample& s) {
+  std::vector<int> seen(s.partner.size(), 0);
+  std::map<int, int> offsets;
+  for (int v = 0; v < s.mesh.points(); ++v) {
+    const int w = s.partner[v];
+    if (w < 0) continue;
+    ++seen[w];
+    if (v != w) ++offsets[w - v];
+    if (!s.exact) continue;
+    int back = v;
+    for (int k = 0; k < s.order && back >= 0; ++k) back = s.partner[back];
+    require(back >= 0 && s.mesh.point[back] == s.mesh.point[v],
+            s.name + ": the truth leads back after " + std::to_string(s.order) + " steps");
+  }
+  if (s.exact && !s.assembled)
+    for (int count : seen) require(count <= 1, s.name + ": no two vertices share a partner");
+  for (const auto& [offset, count] : offsets)
+    require(count < 20 + s.mesh.points() / 100, s.name + ": indices tell nothing about partners");
+}
+
+// Share of edges that the truth maps onto edges: 1 would be symmetric connectivity.
+double kept_edges(const Sample& s, const Neighbours& around) {
+  double kept = 0, all = 0;
+  for (int v = 0; v < s.mesh.points(); ++v)
+    for (int w : around[v])
+      if (s.partner[v] >= 0 && s.partner[w] >= 0) {
+        ++all;
+        kept += around[s.partner[v]].count(s.partner[w]) > 0;
+      }
+  return kept / all;
+}
+
+std::ofstream open(const std::string& path) {
+  std::ofstream out(path, std::ios::binary);
+  if (!out) throw std::runtime_error("cannot write " + path + ": make the folder, or choose another");
+  return out;
+}
+
+void close(std::ofstream& out, const std::string& path) {
+  out.close();
+  if (!out) throw std::runtime_error("cannot write all of " + path + ": is the disk full?");
+}
+
+}  // namespace
+
+std::array<int, 4> references(const Sample& s) {
+  const Neighbours around = neighbours(s.mesh);
   std::vector<int> fixed;
   for (int v = 0; v < s.mesh.points(); ++v)
     if (s.partner[v] == v) fixed.push_back(v);
@@ -69,18 +124,9 @@ std::array<int, 4> references(const Sample& s, const Neighbours& around) {
   return refs;
 }
 
-double least_angle(const Mesh& mesh) {
-  double least = 180;
-  for (const Face& f : mesh.face)
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 u = mesh.point[f[(k + 1) % 3]] - mesh.point[f[k]], v = mesh.point[f[(k + 2) % 3]] - mesh.point[f[k]];
-      least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::acos(-1.0));
-    }
-  return least;
-}
-
-void check_surface(const Sample& s, const Neighbours& around) {
+void check_surface(const Sample& s) {
   const Mesh& m = s.mesh;
+  const Neighbours around = neighbours(m);
   std::map<std::pair<int, int>, int> next;  // directed edge -> third vertex
   for (const Face& f : m.face)
     for (int k = 0; k < 3; ++k)
@@ -121,50 +167,6 @@ void check_surface(const Sample& s, const Neighbours& around) {
           s.name + " does not cut itself: " + std::to_string(self_intersections(m)) + " faces do");
 }
 
-void check_truth(const Sample& s) {
-  std::vector<int> seen(s.partner.size(), 0);
-  std::map<int, int> offsets;
-  for (int v = 0; v < s.mesh.points(); ++v) {
-    const int w = s.partner[v];
-    if (w < 0) continue;
-    ++seen[w];
-    if (v != w) ++offsets[w - v];
-    if (!s.exact) continue;
-    int back = v;
-    for (int k = 0; k < s.order && back >= 0; ++k) back = s.partner[back];
-    require(back == v, s.name + ": the truth leads back after " + std::to_string(s.order) + " steps");
-  }
-  if (s.exact)
-    for (int count : seen) require(count <= 1, s.name + ": no two vertices share a partner");
-  for (const auto& [offset, count] : offsets)
-    require(count < 20 + s.mesh.points() / 100, s.name + ": indices tell nothing about partners");
-}
-
-// Share of edges that the truth maps onto edges: 1 would be symmetric connectivity.
-double kept_edges(const Sample& s, const Neighbours& around) {
-  double kept = 0, all = 0;
-  for (int v = 0; v < s.mesh.points(); ++v)
-    for (int w : around[v])
-      if (s.partner[v] >= 0 && s.partner[w] >= 0) {
-        ++all;
-        kept += around[s.partner[v]].count(s.partner[w]) > 0;
-      }
-  return kept / all;
-}
-
-std::ofstream open(const std::string& path) {
-  std::ofstream out(path, std::ios::binary);
-  if (!out) throw std::runtime_error("cannot write " + path + ": make the folder, or choose another");
-  return out;
-}
-
-void close(std::ofstream& out, const std::string& path) {
-  out.close();
-  if (!out) throw std::runtime_error("cannot write all of " + path + ": is the disk full?");
-}
-
-}  // namespace
-
 void shuffle(Sample& sample, ga_symmetry::Random& random) {
   const auto order = [&](std::size_t n) {
     std::vector<int> out(n);
@@ -194,11 +196,11 @@ void shuffle(Sample& sample, ga_symmetry::Random& random) {
 void write(Sample s, const std::string& folder) {
   for (Vec3& p : s.mesh.point) p = (p * 1000).array().round() / 1000;  // three decimals are written
   const Neighbours around = neighbours(s.mesh);
-  check_surface(s, around);
+  if (!s.assembled) check_surface(s);
   check_truth(s);
   const double angle = least_angle(s.mesh), kept = kept_edges(s, around);
-  require(angle > 3, s.name + " has no slivers, least angle " + std::to_string(angle));
-  require(kept < 0.95, s.name + ": connectivity is not symmetric");
+  require(s.assembled || angle > 3, s.name + " has no slivers, least angle " + std::to_string(angle));
+  require(s.assembled || kept < 0.95, s.name + ": connectivity is not symmetric");
 
   const std::string base = folder + "/" + s.name;
   const int n = s.mesh.points();
@@ -235,7 +237,7 @@ void write(Sample s, const std::string& folder) {
     }
     close(mirrors, base + ".mirrors");
   }
-  const std::array<int, 4> refs = references(s, around);
+  const std::array<int, 4> refs = s.refs[0] < 0 ? references(s) : s.refs;
   std::ofstream out = open(base + ".refs");
   out << refs[0] << ' ' << refs[1] << ' ' << refs[2] << ' ' << refs[3] << '\n';
   close(out, base + ".refs");

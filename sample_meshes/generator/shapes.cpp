@@ -158,6 +158,47 @@ Shape person() {
   return shape;
 }
 
+std::vector<Garment> garments() {
+  const auto garment = [](const char* name, int vertices, std::vector<Layer> layers) {
+    Garment out;
+    out.shape = mirror_shape(name, std::move(layers));
+    out.shape.vertices = vertices;
+    return out;
+  };
+  Garment shirt = garment(
+      "shirt", 700,
+      {{2.5,
+        {ellipsoid({0, 97, -1}, {16.6, 9, 11.8}), ellipsoid({0, 108, 0}, {14, 15, 10.3}),
+         ellipsoid({0, 126, -0.5}, {16.8, 15.5, 11.5})}},
+       {2.0, pairs({cone({6, 136, -1}, 8, {17, 138, -1}, 7.2), cone({17, 138, -1}, 7.2, {30, 138, -1}, 6.2)})}});
+  Garment hat = garment("hat", 350,
+                        {{1.2, {ellipsoid({0, 174, -1.5}, {11.2, 8.5, 12.8}), ellipsoid({0, 171.5, 2}, {14, 2, 17})}}});
+  Garment shoe =
+      garment("shoe", 160,
+              {{1.0, {cone({14, 4.6, -4}, 5.6, {16.4, 3.8, 12}, 4.9), cone({14, 5, -3.5}, 5.4, {14, 14, -2}, 5.2)}}});
+  Garment eye = garment("eye", 70, {{1.0, {ball({3.6, 168, 9.6}, 1.7)}}});
+  // On the left shoulder alone: a bag, and a strap over the shoulder.
+  const Vec3 strap[] = {{21, 104, 5}, {16, 126, 13}, {11, 145, 0}, {16, 126, -13}, {21, 104, -5}};
+  std::vector<Solid> bag = {ellipsoid({22, 97, 0}, {4.5, 9, 8})};
+  for (int k = 0; k < 4; ++k) bag.push_back(cone(strap[k], 1.6, strap[k + 1], 1.6));
+  Garment shoulder_bag = garment("bag", 500, {{0.8, bag}});
+  shoe.pair = eye.pair = true;
+  eye.worn = shoulder_bag.worn = false;
+  shoulder_bag.alone = true;
+  return {shirt, hat, shoe, eye, shoulder_bag};
+}
+
+std::vector<NamedPose> dressed_poses() {
+  return {
+      {"walk",
+       person_pose({{-24, 0, -58}, {0, -30, 0}, {0, 0, 0}, {-30, 0, 3}, {18, 0, 0}, {6, 0, 0}},
+                   {{26, 0, -62}, {0, -22, 0}, {0, 0, 0}, {20, 0, 2}, {36, 0, 0}, {10, 0, 0}}, {0, 16, 0}, {4, -8, 2})},
+      {"reach", person_pose({{0, -35, 38}, {0, -18, 20}, {0, 0, -10}, {-12, 0, 12}, {14, 0, 0}, {0, 0, 0}},
+                            {{-14, 0, -52}, {0, -60, 0}, {0, 0, 0}, {8, 0, 4}, {6, 0, 0}, {-4, 0, 0}}, {-10, -22, 6},
+                            {-3, 10, -6})},
+  };
+}
+
 Shape animal() {
   Shape shape = mirror_shape(
       "animal",

@@ -25,10 +25,20 @@ struct Shape {
   bool half_space = true;
   bool seam_is_mirror = true;    ///< false: the two cut faces of the piece are images of each other
   int vertices = 4000;           ///< wanted, whole shape
+  int low_poly = 0;              ///< > 0: so many vertices are left of those, whole shape
   std::vector<NamedPose> poses;  ///< the last one is remeshed
 };
 
 Shape person();
+/// What a person wears: parts of their own, which the body goes through.
+struct Garment {
+  Shape shape;
+  bool pair = false;   ///< the shape is the left one of two
+  bool worn = true;    ///< what of it is inside the body is left out
+  bool alone = false;  ///< it has no counterpart
+};
+std::vector<Garment> garments();
+std::vector<NamedPose> dressed_poses();
 Shape animal();
 /// Three arms on a hub; a third of a turn and three mirrors.
 Shape trefoil();

@@ -247,6 +247,11 @@ Mesh fundamental_piece(const Shape& shape) {
   mesh = isotropic_remesh(mesh, edge, kRemeshRounds);
   split_chords(mesh);
   relax(mesh, shape.field, domain.seam, edge, kRelaxRounds, shape.seam_is_mirror);
+  if (shape.low_poly > 0) {
+    edge *= std::sqrt(static_cast<double>(shape.vertices) / shape.low_poly);
+    mesh = decimated(mesh, shape.low_poly / static_cast<int>(shape.group.size()));
+    split_chords(mesh);
+  }
 
   const Border border = find_border(mesh, domain.seam, edge);
   for (int v = 0; v < mesh.points(); ++v)

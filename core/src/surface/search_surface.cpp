@@ -30,11 +30,14 @@ double face_area(const Surface& s, std::size_t f) {
   return 0.5 * (Vector(s.point(s.triangle[3 * f + 1])) - a).cross(Vector(s.point(s.triangle[3 * f + 2])) - a).norm();
 }
 
-double longest_edge(const Surface& s) {
-  double longest = 0;
-  for (int c = 0; c < 3 * s.triangles(); ++c)
-    longest = std::max(longest, s.edge_length(s.triangle[c], s.triangle[next_corner(c)]));
-  return longest;
+// Shortest and longest.
+std::pair<double, double> edge_lengths(const Surface& s) {
+  double shortest = INFINITY, longest = 0;
+  for (int c = 0; c < 3 * s.triangles(); ++c) {
+    const double length = s.edge_length(s.triangle[c], s.triangle[next_corner(c)]);
+    shortest = std::min(shortest, length), longest = std::max(longest, length);
+  }
+  return {shortest, longest};
 }
 
 // Some of the faces alone. @param wanted  asked of a face
@@ -107,22 +110,22 @@ double diagonal_of(const Surface& mesh) {
   return (high - low).norm();
 }
 
-// Share of the mesh's vertices that lie far from a part, as the crow flies.
+// Share of the mesh's area that lies far from a part, as the crow flies.
 double share_beyond(const Surface& mesh, const std::vector<int>& part, int wanted, const Surface& lead, double far) {
   std::vector<double> position = lead.position;
   std::vector<int> triangle = lead.triangle;
   split_long_edges(position, triangle, far);
   const Eigen::Map<const Points> points(position.data(), static_cast<Eigen::Index>(position.size() / 3), 3);
   const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(points));
-  int beyond = 0;
+  double beyond = 0;
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (part[v] < 0 || part[v] == wanted) continue;
     Eigen::Index nearest;
     double squared;
     tree.query(mesh.point(v), 1, &nearest, &squared);
-    beyond += squared > far * far;
+    if (squared > far * far) beyond += mesh.vertex_area[v];
   }
-  return static_cast<double>(beyond) / mesh.vertices();
+  return beyond / mesh.area;
 }
 
 }  // namespace
@@ -145,7 +148,7 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
 
 // The mesh's only part, or the one that leads. @return false where there is none that would do
 bool SearchSurface::lead(int vertices, const Context& context) {
-  // A part leads by its share of the area, if few of the other vertices are farther off than a share of the diagonal.
+  // A part leads by its share of the area, if little of the others is farther off than a share of the diagonal.
   constexpr double kLeading = 0.5, kFar = 0.04, kFew = 0.02;
   // Time grows with the square of the faces around a vertex.
   constexpr int kMostFacesAround = 2000;
@@ -177,7 +180,7 @@ bool SearchSurface::lead(int vertices, const Context& context) {
   // A shape far longer than wide, as one with a spike, would need no end of pieces; it is searched as it is.
   constexpr double kThin = 12;  // its diagonal over its unit; a body's is 2 to 3
   const bool thin = diagonal_of(*surface) > kThin * surface->unit();
-  if (!thin && (surface->vertices() < kEnough || longest_edge(*surface) > kTooLong * fine)) {
+  if (!thin && (surface->vertices() < kEnough || edge_lengths(*surface).second > kTooLong * fine)) {
     std::vector<double> position = surface->position;
     std::vector<int> triangle = surface->triangle;
     constexpr double kMostPieces = 8 * kEnough;
@@ -197,6 +200,9 @@ bool SearchSurface::lead(int vertices, const Context& context) {
     // Defects may leave nothing that can be taken away, and a search on all of it would take minutes.
     if (s.vertices() > 2 * vertices) return false;
   }
+  // Edges as short as what float coordinates round: a front would go round and round on them.
+  constexpr double kRounding = 1e-6;
+  if (edge_lengths(*surface).first < kRounding * surface->unit()) return false;
   done_.insert(done_.end(), done.begin(), done.end());
   if (parts_ > 1) done_.push_back("the largest of " + std::to_string(parts_) + " parts leads the others");
   direct_ = surface == &mesh_;

@@ -29,29 +29,34 @@ void stop_at(std::size_t i, const Context& context) {
   if (i % 65536 == 0 && context.cancelled()) throw Cancelled();
 }
 
-// At an edge of more than two faces: which of them are one sheet. Pairs wound alike come first, as the two sides of
-// one solid are; of those the flattest, as a sheet that a fin stands on. What is left over is a border.
-void pair_sheets(Surface& s, const int* corner, int count) {
+// At an edge of more than two faces: which of them are one sheet. Faces that hang on nothing else, fins, come last.
+// Pairs wound alike come first, as the two sides of one solid are; of those the flattest. What is left over is a
+// border.
+// @param opposite  where edges of two faces alone are linked
+void pair_sheets(Surface& s, const std::vector<int>& opposite, const int* corner, int count) {
   using Vector = Eigen::Vector3d;
   struct Pair {
+    bool loose;    // one of them is a fin
     bool against;  // wound against each other
     double bend;   // cosine of the angle between the faces: -1 = flat
     int i, j;
   };
   std::vector<Vector> across(count);
-  std::vector<bool> forward(count);
+  std::vector<bool> forward(count), loose(count);
   for (int i = 0; i < count; ++i) {
     const int c = corner[i], a = s.triangle[next_corner(c)], b = s.triangle[previous_corner(c)];
     const Vector p(s.point(std::min(a, b))), along = (Vector(s.point(std::max(a, b))) - p).normalized();
     const Vector up = Vector(s.point(s.triangle[c])) - p;
     across[i] = (up - up.dot(along) * along).normalized();
     forward[i] = a < b;
+    loose[i] = opposite[next_corner(c)] < 0 && opposite[previous_corner(c)] < 0;
   }
   std::vector<Pair> pairs;
   for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j) pairs.push_back({forward[i] == forward[j], across[i].dot(across[j]), i, j});
+    for (int j = i + 1; j < count; ++j)
+      pairs.push_back({loose[i] || loose[j], forward[i] == forward[j], across[i].dot(across[j]), i, j});
   std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
-    return std::tie(x.against, x.bend, x.i, x.j) < std::tie(y.against, y.bend, y.i, y.j);
+    return std::tie(x.loose, x.against, x.bend, x.i, x.j) < std::tie(y.loose, y.against, y.bend, y.i, y.j);
   });
   std::vector<bool> taken(count);
   for (const Pair& p : pairs) {
@@ -89,14 +94,12 @@ void link_corners(Surface& s, const Context& context) {
               [](const Edge& x, const Edge& y) { return x.high != y.high ? x.high < y.high : x.corner < y.corner; });
   }
   s.opposite.assign(s.triangle.size(), -1);
-  std::vector<int> sheets;
+  std::vector<int> sheets, first_sheet;  // corners at edges of more than two faces; where those of each edge begin
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     for (j = i + 1; j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high;) ++j;
     if (j - i > 2) {
-      sheets.clear();
+      first_sheet.push_back(static_cast<int>(sheets.size()));
       for (std::size_t k = i; k < j; ++k) sheets.push_back(edges[k].corner);
-      pair_sheets(s, sheets.data(), static_cast<int>(sheets.size()));
-      ++s.branching;
     } else if (j - i == 2) {
       s.opposite[edges[i].corner] = edges[i + 1].corner;
       s.opposite[edges[i + 1].corner] = edges[i].corner;
@@ -104,6 +107,12 @@ void link_corners(Surface& s, const Context& context) {
       s.closed = false;
     }
   }
+  // Only now it is known what else a face hangs on.
+  s.branching = static_cast<int>(first_sheet.size());
+  first_sheet.push_back(static_cast<int>(sheets.size()));
+  const std::vector<int> linked = s.branching > 0 ? s.opposite : std::vector<int>();
+  for (int e = 0; e < s.branching; ++e)
+    pair_sheets(s, linked, &sheets[first_sheet[e]], first_sheet[e + 1] - first_sheet[e]);
 }
 
 void group_corners(Surface& s, int n) {

@@ -276,10 +276,16 @@ class Volume {
   const float level_;
 };
 
+// vcglib's walker never frees its slices. For BuildMesh, which makes them, alone.
+struct Walker : vcg::tri::TrivialWalker<WrapMesh, Volume> {
+  ~Walker() {
+    for (auto* slice : {_x_cs, _y_cs, _z_cs, _x_ns, _z_ns}) delete[] slice;
+  }
+};
+
 TriangleMesh boundary(const Grid& grid, float level) {
   Volume volume(grid, level);
   WrapMesh mesh;
-  using Walker = vcg::tri::TrivialWalker<WrapMesh, Volume>;
   Walker walker;
   vcg::tri::MarchingCubes<WrapMesh, Walker> extractor(mesh, walker);
   walker.BuildMesh(mesh, volume, extractor, level);
