@@ -11,6 +11,8 @@
 #include "ga_symmetry/errors.h"
 #include "surface/locate.h"
 #include "surface/refine.h"
+#include "surface/sew.h"
+#include "surface/sheets.h"
 #include "surface/simplify.h"
 #include "surface/welded_mesh.h"
 #include "surface/wrap.h"
@@ -24,11 +26,6 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 constexpr double kWorthSimplifying = 1.3;  // times the wanted vertices
 // Fewer vertices hardly resolve fingers and ears; a surface of fewer is refined.
 constexpr int kEnough = 2000;
-
-double face_area(const Surface& s, std::size_t f) {
-  const Vector a(s.point(s.triangle[3 * f]));
-  return 0.5 * (Vector(s.point(s.triangle[3 * f + 1])) - a).cross(Vector(s.point(s.triangle[3 * f + 2])) - a).norm();
-}
 
 // Shortest and longest.
 std::pair<double, double> edge_lengths(const Surface& s) {
@@ -57,47 +54,20 @@ Surface faces_of(const Surface& mesh, const Wanted& wanted, const Context& conte
   return surface_of(std::move(position), std::move(triangle), context);
 }
 
-// Per face: its sheet, what hangs together over edges; a fin is one, though it shares two vertices with what it stands
-// on.
-std::vector<int> sheets_of(const Surface& s, int& sheets) {
-  std::vector<int> sheet(s.triangles(), -1), open;
-  sheets = 0;
-  for (int first = 0; first < s.triangles(); ++first) {
-    if (sheet[first] >= 0) continue;
-    sheet[first] = sheets;
-    open.assign(1, first);
-    while (!open.empty()) {
-      const int f = open.back();
-      open.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const int across = s.opposite[3 * f + k];
-        if (across < 0 || sheet[across / 3] >= 0) continue;
-        sheet[across / 3] = sheets;
-        open.push_back(across / 3);
-      }
-    }
-    ++sheets;
-  }
-  return sheet;
-}
-
 // Leaves out sheets of hardly any area, fins and flaps: as borders of what they stand on they would count as holes. Not
 // where they are much of the whole together, or hold it together.
 // @return how many were left out
 int drop_scraps(const Surface& from, Surface& to, const Context& context) {
   constexpr double kScrap = 0.01, kScraps = 0.25;  // of the area: one of them, all of them
-  int sheets = 0;
-  const std::vector<int> sheet = sheets_of(from, sheets);
-  if (sheets == 1) return 0;
-  std::vector<double> area(sheets, 0.0);
-  for (int f = 0; f < from.triangles(); ++f) area[sheet[f]] += face_area(from, f);
+  const Sheets sheets(from);
+  if (sheets.count() == 1) return 0;
   int scraps = 0;
   double dropped = 0;
-  for (const double a : area)
+  for (const double a : sheets.area)
     if (a < kScrap * from.area) ++scraps, dropped += a;
   if (scraps == 0 || dropped > kScraps * from.area) return 0;
   to = faces_of(
-      from, [&](std::size_t f) { return area[sheet[f]] >= kScrap * from.area; }, context);
+      from, [&](std::size_t f) { return sheets.area[sheets.of_face[f]] >= kScrap * from.area; }, context);
   int parts = 0;
   face_parts(to.triangle, to.vertices(), parts);
   return parts == 1 ? scraps : 0;
@@ -141,13 +111,19 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
   }
   // Without simplifying, a mesh in parts is still wrapped to a surface of the usual size.
   const int vertices = options.proxy > 0 ? options.proxy : std::max(3000, parts_ == 1 ? mesh_.vertices() : 0);
-  if (!lead(vertices, context.part(0, 0.8))) wrap_all(vertices, context.part(0, 0.8));
+  // Wider gaps are not sewn: hands on hips, or the legs of trousers, are near each other, too.
+  constexpr double kGap = 0.05;  // units
+  Surface sewn;
+  const int stitches = parts_ > 1 ? sew(mesh_, kGap * mesh_.unit(), sewn, context) : 0;
+  if (stitches > 0) done_.push_back("sewn gaps between parts with " + std::to_string(stitches) + " triangles");
+  const Surface& whole = stitches > 0 ? sewn : mesh_;
+  if (!lead(whole, vertices, context.part(0, 0.8))) wrap_all(whole, vertices, context.part(0, 0.8));
   if (!direct_) context.report(0.8, "simplifying");
   if (!direct_) place_ = ga_symmetry::locate(mesh_, searched_, options.threads);
 }
 
-// The mesh's only part, or the one that leads. @return false where there is none that would do
-bool SearchSurface::lead(int vertices, const Context& context) {
+// The only part, or the one that leads. @return false where there is none that would do
+bool SearchSurface::lead(const Surface& mesh, int vertices, const Context& context) {
   // A part leads by its share of the area, if little of the others is farther off than a share of the diagonal.
   constexpr double kLeading = 0.5, kFar = 0.04, kFew = 0.02;
   // Time grows with the square of the faces around a vertex.
@@ -155,18 +131,24 @@ bool SearchSurface::lead(int vertices, const Context& context) {
   // Fronts run badly over faces far longer than what the search resolves: CAD, low-poly.
   constexpr double kTooLong = 6, kSplit = 1.6;
   Surface s;
-  if (parts_ > 1) {
-    std::vector<double> area(parts_, 0.0);
-    for (std::size_t f = 0; f < mesh_.triangle.size() / 3; ++f)
-      area[part_[mesh_.triangle[3 * f]]] += face_area(mesh_, f);
+  const Surface* surface = &mesh;
+  int parts = 0;
+  const std::vector<int> part = face_parts(mesh.triangle, mesh.vertices(), parts);
+  if (parts > 1) {
+    std::vector<double> area(parts, 0.0);
+    std::vector<int> part_of(mesh.vertices(), -1);
+    for (int f = 0; f < mesh.triangles(); ++f) {
+      area[part[f]] += mesh.face_area(f);
+      for (int k = 0; k < 3; ++k) part_of[mesh.triangle[3 * f + k]] = part[f];
+    }
     const int largest = static_cast<int>(std::max_element(area.begin(), area.end()) - area.begin());
-    if (area[largest] < kLeading * mesh_.area) return false;
+    if (area[largest] < kLeading * mesh.area) return false;
     s = faces_of(
-        mesh_, [&](std::size_t f) { return part_[mesh_.triangle[3 * f]] == largest; }, context);
+        mesh, [&](std::size_t f) { return part[f] == largest; }, context);
     if (!s.orientable) return false;
-    if (share_beyond(mesh_, part_, largest, s, kFar * diagonal_of(mesh_)) > kFew) return false;
+    if (share_beyond(mesh, part_of, largest, s, kFar * diagonal_of(mesh)) > kFew) return false;
+    surface = &s;
   }
-  const Surface* surface = parts_ > 1 ? &s : &mesh_;
   std::vector<std::string> done;
   Surface whole;
   if (const int scraps = drop_scraps(*surface, whole, context); scraps > 0) {
@@ -204,20 +186,19 @@ bool SearchSurface::lead(int vertices, const Context& context) {
   constexpr double kRounding = 1e-6;
   if (edge_lengths(*surface).first < kRounding * surface->unit()) return false;
   done_.insert(done_.end(), done.begin(), done.end());
-  if (parts_ > 1) done_.push_back("the largest of " + std::to_string(parts_) + " parts leads the others");
+  if (parts > 1) done_.push_back("the largest of " + std::to_string(parts) + " parts leads the others");
   direct_ = surface == &mesh_;
-  if (!direct_) searched_ = std::move(s);
+  if (!direct_) searched_ = surface == &s ? std::move(s) : *surface;
   return true;
 }
 
-void SearchSurface::wrap_all(int vertices, const Context& context) {
+void SearchSurface::wrap_all(const Surface& mesh, int vertices, const Context& context) {
   // Spacing of the grid over the distance of the wanted vertices, so that simplifying has something to choose from.
   constexpr double kFiner = 0.6;
   constexpr double kFinest = 1.0 / 250, kCoarsest = 1.0 / 70;  // of the diagonal
-  const double diagonal = diagonal_of(mesh_);
-  const double spacing =
-      std::clamp(kFiner * std::sqrt(mesh_.area / vertices), kFinest * diagonal, kCoarsest * diagonal);
-  Wrap w = wrap(mesh_.position, mesh_.triangle, spacing, context.part(0, 0.6));
+  const double diagonal = diagonal_of(mesh);
+  const double spacing = std::clamp(kFiner * std::sqrt(mesh.area / vertices), kFinest * diagonal, kCoarsest * diagonal);
+  Wrap w = wrap(mesh.position, mesh.triangle, spacing, context.part(0, 0.6));
   Surface s = surface_of(std::move(w.mesh.position), std::move(w.mesh.triangle), context);
   searched_ =
       s.vertices() > kWorthSimplifying * vertices ? simplified(s, vertices, context.part(0.6, 1)) : std::move(s);

@@ -41,8 +41,8 @@ class SearchSurface {
   SurfaceReferences locate(const References& references) const;
 
  private:
-  bool lead(int vertices, const Context& context);
-  void wrap_all(int vertices, const Context& context);
+  bool lead(const Surface& mesh, int vertices, const Context& context);
+  void wrap_all(const Surface& mesh, int vertices, const Context& context);
 
   Surface mesh_, searched_;
   bool direct_ = false;

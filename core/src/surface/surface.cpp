@@ -172,10 +172,9 @@ void connect(Surface& s, const Context& context) {
   group_corners(s, n);
   s.vertex_area.assign(n, 0.0);
   for (int f = 0; f < s.triangles(); ++f) {
-    const int* t = &s.triangle[3 * static_cast<std::size_t>(f)];
-    const double a = triangle_area(s.point(t[0]), s.point(t[1]), s.point(t[2]));
+    const double a = s.face_area(f);
     s.area += a;
-    for (int k = 0; k < 3; ++k) s.vertex_area[t[k]] += a / 3;
+    for (int k = 0; k < 3; ++k) s.vertex_area[s.triangle[3 * static_cast<std::size_t>(f) + k]] += a / 3;
   }
 }
 
@@ -183,6 +182,11 @@ void connect(Surface& s, const Context& context) {
 
 double Surface::unit() const { return std::sqrt(area); }
 double Surface::edge_length(int a, int b) const { return std::sqrt(squared_distance(point(a), point(b))); }
+
+double Surface::face_area(int f) const {
+  const int* t = &triangle[3 * static_cast<std::size_t>(f)];
+  return triangle_area(point(t[0]), point(t[1]), point(t[2]));
+}
 
 Surface surface_of(std::vector<double> position, std::vector<int> triangle, const Context& context) {
   Surface s;

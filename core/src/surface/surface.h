@@ -35,6 +35,7 @@ struct Surface {
   double unit() const;
   /// Distance between two vertices through space.
   double edge_length(int a, int b) const;
+  double face_area(int f) const;
 };
 
 /// Next and previous corner around the same face.
