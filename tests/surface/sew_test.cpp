@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "damage_kit.h"
 #include "surface/search_surface.h"
@@ -38,6 +39,53 @@ TEST(Sew, AGapBetweenTwoRimsIsClosed) {
   EXPECT_TRUE(sewn.closed);
   EXPECT_TRUE(sewn.orientable);
   EXPECT_EQ(sewn.position, open.position);
+}
+
+TEST(Sew, PartsThatLieWrongSideUpAreTurned) {
+  constexpr int kAround = 60, kAlong = 24;
+  TriangleMesh m = shapes::torus(kAround, kAlong);
+  std::vector<int> kept;
+  for (std::size_t f = 0; f < m.triangle.size(); f += 3) {
+    const auto among = [&](int first, int last) {
+      return std::all_of(&m.triangle[f], &m.triangle[f] + 3,
+                         [&](int v) { return v / kAlong >= first && v / kAlong <= last; });
+    };
+    if (among(0, 1) || among(30, 31)) continue;
+    kept.insert(kept.end(), &m.triangle[f], &m.triangle[f] + 3);
+    if (among(1, 30)) std::swap(kept[kept.size() - 1], kept[kept.size() - 2]);
+  }
+  m.triangle = kept;
+  const Surface halves = make_surface(m);
+  Surface sewn;
+  EXPECT_EQ(sew(halves, 0.2 * halves.unit(), sewn, {}), 96);
+  EXPECT_TRUE(sewn.closed);
+  EXPECT_TRUE(sewn.orientable);
+}
+
+TEST(Sew, TubesThatTouchAreNotJoined) {
+  // Two cut tubes side by side: what is above the cut belongs to what is below it.
+  constexpr int kAround = 24, kRings = 20, kCut = 10;
+  constexpr double kPi = 3.14159265358979323846, kHeight = 0.26;
+  TriangleMesh m;
+  for (const double x : {-1.01, 1.01}) {
+    const int first = m.vertices();
+    for (int ring = 0; ring < kRings; ++ring)
+      for (int i = 0; i < kAround; ++i) {
+        const double t = 2 * kPi * i / kAround;
+        m.position.insert(m.position.end(), {x + std::cos(t), std::sin(t), kHeight * ring});
+      }
+    for (int ring = 0; ring + 1 < kRings; ++ring)
+      for (int i = 0; ring != kCut && i < kAround; ++i) {
+        const int a = first + ring * kAround + i, b = first + ring * kAround + (i + 1) % kAround;
+        m.triangle.insert(m.triangle.end(), {a, b, b + kAround, a, b + kAround, a + kAround});
+      }
+  }
+  const Surface cut = make_surface(m);
+  Surface sewn;
+  EXPECT_EQ(sew(cut, 0.05 * cut.unit(), sewn, {}), 4 * kAround);
+  int parts = 0;
+  face_parts(sewn.triangle, sewn.vertices(), parts);
+  EXPECT_EQ(parts, 2);
 }
 
 TEST(Sew, NotWhereItIsTooWide) {

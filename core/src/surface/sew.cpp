@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <nanoflann.hpp>
+#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
@@ -21,14 +23,28 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 // An edge of a rim, from `from` to `to` with its face on the left.
 struct RimEdge {
-  int corner, from, to, rim;
+  int corner, from, to, rim, sheet;
   double along;  // length of the rim up to its middle
+};
+
+// How the surface lies at a rim.
+struct Frame {
+  Vector outward = Vector::Zero();  // from the face over the edge
+  Vector normal = Vector::Zero();
 };
 
 struct Rims {
   std::vector<RimEdge> edge;
-  std::vector<double> length;  // per rim
+  std::vector<double> length;               // per rim
+  std::vector<Frame> frame;                 // per edge
+  std::unordered_map<int, Frame> frame_at;  // per vertex: sum of those of its edges
 };
+
+// Whether two places may be the two sides of a gap: each looks to the other, and the surface goes on. Of two legs side
+// by side rims look the same way, and where they touch the surfaces look at each other.
+bool face_each_other(const Frame& a, const Frame& b) {
+  return a.outward.dot(b.outward) < 0 && a.normal.dot(b.normal) > 0;
+}
 
 // Border corner of the edge that follows around the hole.
 int next_on_border(const Surface& s, int corner) {
@@ -37,26 +53,107 @@ int next_on_border(const Surface& s, int corner) {
   return c;
 }
 
-Rims rims_of(const Surface& s, const std::vector<char>& wanted) {
+Rims rims_of(const Surface& s) {
+  constexpr double kScrap = 0.0005;  // of the area: less is no part that a rim could lead to
+  const Sheets sheets(s);
   Rims out;
   std::vector<char> seen(s.triangle.size(), 0);
   for (int first = 0; first < static_cast<int>(s.triangle.size()); ++first) {
-    if (s.opposite[first] >= 0 || seen[first] || !wanted[first / 3]) continue;
+    const int sheet = sheets.of_face[first / 3];
+    if (s.opposite[first] >= 0 || seen[first] || sheets.area[sheet] < kScrap * s.area) continue;
     double along = 0;
     for (int c = first; !seen[c]; c = next_on_border(s, c)) {
       seen[c] = 1;
       const int a = s.triangle[next_corner(c)], b = s.triangle[previous_corner(c)];
       const double length = s.edge_length(a, b);
-      out.edge.push_back({c, a, b, static_cast<int>(out.length.size()), along + 0.5 * length});
+      out.edge.push_back({c, a, b, static_cast<int>(out.length.size()), sheet, along + 0.5 * length});
       along += length;
     }
     out.length.push_back(along);
+  }
+  for (const RimEdge& e : out.edge) {
+    const Vector a(s.point(e.from)), b(s.point(e.to)), along = (b - a).stableNormalized();
+    const Vector inward = Vector(s.point(s.triangle[e.corner])) - a;
+    Frame f;
+    f.outward = (inward.dot(along) * along - inward).stableNormalized();
+    f.normal = along.cross(inward).stableNormalized();
+    out.frame.push_back(f);
+    for (const int v : {e.from, e.to}) out.frame_at[v].outward += f.outward, out.frame_at[v].normal += f.normal;
   }
   return out;
 }
 
 std::uint64_t key_of(int from, int to) {
   return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
+}
+
+// Faces with those sheets turned over that lie wrong side up beside others. Empty if there are none.
+std::vector<int> turned_alike(const Surface& s, const Rims& rims, double reach) {
+  Points middles(static_cast<Eigen::Index>(rims.edge.size()), 3);
+  const auto direction = [&](const RimEdge& e) -> Vector { return Vector(s.point(e.to)) - Vector(s.point(e.from)); };
+  for (std::size_t i = 0; i < rims.edge.size(); ++i)
+    middles.row(static_cast<Eigen::Index>(i)) =
+        (Vector(s.point(rims.edge[i].from)) + 0.5 * direction(rims.edge[i])).transpose();
+  const nanoflann::KDTreeEigenMatrixAdaptor<Points, 3> tree(3, std::cref(middles));
+  std::map<std::pair<int, int>, double> vote;  // of two sheets: how much of their rims has opposite normals, a length
+  std::vector<std::pair<Eigen::Index, double>> near;
+  for (std::size_t i = 0; i < rims.edge.size(); ++i) {
+    const RimEdge& e = rims.edge[i];
+    const Vector at = middles.row(static_cast<Eigen::Index>(i)).transpose();
+    tree.index->radiusSearch(at.data(), reach * reach, near, nanoflann::SearchParams());
+    const Frame& here = rims.frame[i];
+    const auto other = std::find_if(near.begin(), near.end(), [&](const auto& found) {
+      return rims.edge[found.first].sheet != e.sheet && here.outward.dot(rims.frame[found.first].outward) < 0;
+    });
+    if (other == near.end()) continue;
+    vote[std::minmax(e.sheet, rims.edge[other->first].sheet)] -=
+        direction(e).norm() * here.normal.dot(rims.frame[other->first].normal);
+  }
+  struct Vote {
+    double strength;
+    int a, b;
+    bool same;
+  };
+  std::vector<Vote> votes;
+  for (const auto& [pair, sum] : vote) votes.push_back({std::abs(sum), pair.first, pair.second, sum > 0});
+  if (votes.empty()) return {};
+  // Pieces of limbs and trunks bulge outwards.
+  const Sheets of(s);
+  const int outside = of.count(), sheets = outside + 1;
+  std::vector<double> rim(outside, 0.0), along(outside, 0.0), away(outside, 0.0);
+  std::vector<Vector> centre(outside, Vector::Zero());
+  for (const RimEdge& e : rims.edge) rim[e.sheet] += direction(e).norm();
+  const auto each_face = [&](const auto& body) {
+    for (int f = 0; f < s.triangles(); ++f) {
+      const Vector a(s.point(s.triangle[3 * f])), b(s.point(s.triangle[3 * f + 1])), c(s.point(s.triangle[3 * f + 2]));
+      body(of.of_face[f], (a + b + c) / 3, 0.5 * (b - a).cross(c - a));
+    }
+  };
+  each_face([&](int k, const Vector& at, const Vector& normal) { centre[k] += normal.norm() / of.area[k] * at; });
+  each_face([&](int k, const Vector& at, const Vector& normal) {
+    along[k] += (at - centre[k]).dot(normal), away[k] += (at - centre[k]).norm() * normal.norm();
+  });
+  std::vector<char> beside(outside, 0);
+  for (const Vote& v : votes) beside[v.a] = beside[v.b] = 1;
+  for (int k = 0; k < outside; ++k)
+    if (beside[k] && away[k] > 0) votes.push_back({rim[k] * std::abs(along[k]) / away[k], k, outside, along[k] < 0});
+  std::stable_sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.strength > b.strength; });
+  // Joins them, the surest first. Per sheet: the one it is joined to, and whether it is turned against that one.
+  std::vector<int> root(sheets);
+  std::vector<char> turned(sheets, 0);
+  std::iota(root.begin(), root.end(), 0);
+  for (const Vote& v : votes) {
+    const int from = root[v.b], to = root[v.a];
+    if (from == to) continue;
+    const bool turn = turned[v.a] ^ turned[v.b] ^ v.same;
+    for (int k = 0; k < sheets; ++k)
+      if (root[k] == from) root[k] = to, turned[k] ^= turn;
+  }
+  if (std::find(turned.begin(), turned.end(), 1) == turned.end()) return {};
+  std::vector<int> triangle = s.triangle;
+  for (int f = 0; f < s.triangles(); ++f)
+    if (turned[of.of_face[f]]) std::swap(triangle[3 * f], triangle[3 * f + 1]);
+  return triangle;
 }
 
 // A triangle from an edge of a rim to the start of another.
@@ -78,14 +175,13 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
     if (i % 4096 == 0 && context.cancelled()) throw Cancelled();
     const RimEdge& e = rims.edge[i];
     const Vector a(s.point(e.from)), b(s.point(e.to)), middle = 0.5 * (a + b);
-    const Vector outward = middle - Vector(s.point(s.triangle[e.corner]));  // from the face over its edge
-    const Vector across = outward - outward.dot(b - a) / (b - a).squaredNorm() * (b - a);
     tree.index->radiusSearch(middle.data(), reach * reach, near, nanoflann::SearchParams());
     mine.clear();
     for (const auto& [j, squared] : near) {
       const RimEdge& f = rims.edge[j];
       const Vector c(s.point(f.from));
-      if (f.from == e.from || f.from == e.to || (c - middle).dot(across) < 0) continue;
+      if (f.from == e.from || f.from == e.to || (c - middle).dot(rims.frame[i].outward) < 0) continue;
+      if (!face_each_other(rims.frame[i], rims.frame_at.at(f.from))) continue;
       const double width = std::max((c - a).norm(), (c - b).norm());
       if (f.rim == e.rim) {
         const double there = std::abs(f.along - e.along), around = std::min(there, rims.length[e.rim] - there);
@@ -108,15 +204,18 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
 
 }  // namespace
 
-int sew(const Surface& mesh, double reach, Surface& to, const Context& context) {
-  if (!mesh.orientable || mesh.closed) return 0;
-  constexpr double kScrap = 0.01;        // of the area: less is no part that a rim could lead to
+int sew(const Surface& as_it_is, double reach, Surface& to, const Context& context) {
+  if (!as_it_is.orientable || as_it_is.closed) return 0;
   constexpr std::size_t kMost = 200000;  // edges on rims; a mesh of more is torn all over
-  const Sheets sheets(mesh);
-  std::vector<char> wanted(mesh.triangles());
-  for (int f = 0; f < mesh.triangles(); ++f) wanted[f] = sheets.area[sheets.of_face[f]] >= kScrap * mesh.area;
-  const Rims rims = rims_of(mesh, wanted);
+  Rims rims = rims_of(as_it_is);
   if (rims.edge.empty() || rims.edge.size() > kMost) return 0;
+  Surface turned;
+  std::vector<int> alike = turned_alike(as_it_is, rims, reach);
+  if (!alike.empty()) {
+    turned = surface_of(as_it_is.position, std::move(alike), context);
+    rims = rims_of(turned);
+  }
+  const Surface& mesh = turned.triangle.empty() ? as_it_is : turned;
 
   // Edges of faces between vertices of rims, in their direction: each may be there once.
   std::vector<char> on_rim(mesh.vertices(), 0);
@@ -128,7 +227,8 @@ int sew(const Surface& mesh, double reach, Surface& to, const Context& context) 
   std::vector<int> triangle = mesh.triangle;
   int added = 0;
   const auto fits = [&](const RimEdge& e, int apex) {
-    return apex != e.from && apex != e.to && !taken.count(key_of(e.to, e.from)) && !taken.count(key_of(e.from, apex)) &&
+    return face_each_other(rims.frame[&e - rims.edge.data()], rims.frame_at.at(apex)) && apex != e.from &&
+           apex != e.to && !taken.count(key_of(e.to, e.from)) && !taken.count(key_of(e.from, apex)) &&
            !taken.count(key_of(apex, e.to));
   };
   const auto add = [&](const RimEdge& e, int apex) {
