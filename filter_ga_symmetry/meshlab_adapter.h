@@ -67,11 +67,10 @@ inline void add_layer_choice(RichParameterList& list, const QString& name, const
   else
     list.addParam(RichMesh(name, 0, description, tooltip));
 #else
-  unsigned int chosen = 0;
-  bool found = false;
+  const MeshModel* other = nullptr;
   for (const MeshModel& layer : document.meshIterator())
-    if (!found || (document.mm() && chosen == document.mm()->id())) chosen = layer.id(), found = true;
-  list.addParam(RichMesh(name, chosen, &document, description, tooltip));
+    if (!other || other == document.mm()) other = &layer;
+  list.addParam(RichMesh(name, other ? static_cast<unsigned int>(other->id()) : 0u, &document, description, tooltip));
 #endif
 }
 

@@ -243,7 +243,8 @@ INSTANTIATE_TEST_SUITE_P(DamageKit, EachDamage, testing::ValuesIn(kinds()),
 // One test for all of them: the whole creature is searched and the distances are measured once.
 TEST(DamageKit, CostsTheSearchHardlyAnything) {
   constexpr double kMean = 0.003, kCorr = 0.01;
-  const std::set<std::string> missed{"narrow_gaps", "gaps", "all"};  // these cost more: docs/robustness.md
+  // These cost more, and all at once far more: docs/robustness.md.
+  const std::map<std::string, double> costly{{"narrow_gaps", 0.01}, {"gaps", 0.01}};
   std::vector<std::vector<int>> maps{find_symmetry(creature().mesh).partners.partner};
   Truth lines = truth_of_whole(whole(creature().mesh, creature().partner));
   for (const Kind& kind : kinds()) {
@@ -269,8 +270,8 @@ TEST(DamageKit, CostsTheSearchHardlyAnything) {
   for (std::size_t k = 1; k < e.size(); ++k) {
     const std::string& name = kinds()[k - 1].name;
     RecordProperty(name, "mean " + std::to_string(e[k].mean) + " corr " + std::to_string(e[k].corr));
-    if (missed.count(name)) continue;
-    EXPECT_LE(e[k].mean, e[0].mean + kMean) << name;
+    if (name == "all") continue;
+    EXPECT_LE(e[k].mean, e[0].mean + (costly.count(name) ? costly.at(name) : kMean)) << name;
     EXPECT_GE(e[k].corr, e[0].corr - kCorr) << name;
     EXPECT_GE(e[k].involution, e[0].involution - kCorr) << name;
   }

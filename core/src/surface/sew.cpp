@@ -159,7 +159,7 @@ std::vector<int> turned_alike(const Surface& s, const Rims& rims, double reach) 
 // A triangle from an edge of a rim to the start of another.
 struct Stitch {
   double width;
-  int edge, to;
+  int edge, to, rim;  // rim: that of `to`
 };
 
 std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double reach, const Context& context) {
@@ -170,6 +170,8 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
     starts.row(static_cast<Eigen::Index>(i)) = Vector(s.point(rims.edge[i].from)).transpose();
   const nanoflann::KDTreeEigenMatrixAdaptor<Points, 3> tree(3, std::cref(starts));
   std::vector<Stitch> out, mine;
+  std::map<std::pair<int, int>, std::pair<double, int>>
+      facing;  // of two rims: length of the first that faces the second
   std::vector<std::pair<Eigen::Index, double>> near;
   for (std::size_t i = 0; i < rims.edge.size(); ++i) {
     if (i % 4096 == 0 && context.cancelled()) throw Cancelled();
@@ -187,7 +189,9 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
         const double there = std::abs(f.along - e.along), around = std::min(there, rims.length[e.rim] - there);
         if (around < kAround * width) continue;
       }
-      mine.push_back({width, static_cast<int>(i), f.from});
+      mine.push_back({width, static_cast<int>(i), f.from, f.rim});
+      if (facing.try_emplace({e.rim, f.rim}, 0, -1).first->second.second != static_cast<int>(i))
+        facing[{e.rim, f.rim}] = {facing[{e.rim, f.rim}].first + (b - a).norm(), static_cast<int>(i)};
     }
     const auto narrower = [](const Stitch& x, const Stitch& y) {
       return std::tie(x.width, x.edge, x.to) < std::tie(y.width, y.edge, y.to);
@@ -196,10 +200,43 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
     out.insert(out.end(), mine.begin(),
                mine.begin() + static_cast<std::ptrdiff_t>(std::min(mine.size(), kMostPerEdge)));
   }
+  // Both sides of a gap run along each other; where limbs touch, only a little of their rims does.
+  const auto share = [&](int a, int b) {
+    const auto at = facing.find({a, b});
+    return at == facing.end() ? 0 : at->second.first / rims.length[a];
+  };
+  constexpr double kLeast = 0.2;
+  for (Stitch& stitch : out) {
+    const int a = rims.edge[stitch.edge].rim, b = stitch.rim;
+    const double most = std::max(share(a, b), share(b, a));
+    stitch.width = most < kLeast ? INFINITY : stitch.width / most;
+  }
   std::sort(out.begin(), out.end(), [](const Stitch& x, const Stitch& y) {
     return std::tie(x.width, x.edge, x.to) < std::tie(y.width, y.edge, y.to);
   });
   return out;
+}
+
+// Where a few stitches of a rim lead elsewhere than those before and after, limbs touch.
+// @param apex_of  per edge: the apex of its stitch, or -1
+void drop_short_runs(const Rims& rims, std::vector<int>& apex_of) {
+  constexpr std::size_t kShort = 4;  // edges
+  constexpr double kMuch = 0.25;     // of a rim
+  std::unordered_map<int, int> rim_at;
+  for (const RimEdge& e : rims.edge) rim_at[e.from] = e.rim;
+  const auto leads_to = [&](std::size_t i) { return apex_of[i] < 0 ? -1 : rim_at.at(apex_of[i]); };
+  for (std::size_t first = 0, last; first < rims.edge.size(); first = last) {
+    for (last = first; last < rims.edge.size() && rims.edge[last].rim == rims.edge[first].rim;) ++last;
+    const std::size_t count = last - first;
+    std::size_t start = 0;  // of a run
+    while (start < count && leads_to(first + start) == leads_to(first + (start + count - 1) % count)) ++start;
+    for (std::size_t k = 0, length; k < count; k += length) {
+      const auto at = [&](std::size_t i) { return first + (start + i) % count; };
+      for (length = 1; k + length < count && leads_to(at(k + length)) == leads_to(at(k));) ++length;
+      if (length < kShort && static_cast<double>(length) < kMuch * static_cast<double>(count))
+        for (std::size_t i = k; i < k + length; ++i) apex_of[at(i)] = -1;
+    }
+  }
 }
 
 }  // namespace
@@ -224,8 +261,7 @@ int sew(const Surface& as_it_is, double reach, Surface& to, const Context& conte
   for (int c = 0; c < static_cast<int>(mesh.triangle.size()); ++c)
     if (on_rim[mesh.triangle[c]] && on_rim[mesh.triangle[next_corner(c)]])
       taken.insert(key_of(mesh.triangle[c], mesh.triangle[next_corner(c)]));
-  std::vector<int> triangle = mesh.triangle;
-  int added = 0;
+  std::vector<int> apex_of(rims.edge.size(), -1);  // of the stitch at each edge
   const auto fits = [&](const RimEdge& e, int apex) {
     return face_each_other(rims.frame[&e - rims.edge.data()], rims.frame_at.at(apex)) && apex != e.from &&
            apex != e.to && !taken.count(key_of(e.to, e.from)) && !taken.count(key_of(e.from, apex)) &&
@@ -233,8 +269,7 @@ int sew(const Surface& as_it_is, double reach, Surface& to, const Context& conte
   };
   const auto add = [&](const RimEdge& e, int apex) {
     taken.insert({key_of(e.to, e.from), key_of(e.from, apex), key_of(apex, e.to)});
-    triangle.insert(triangle.end(), {e.to, e.from, apex});
-    ++added;
+    apex_of[&e - rims.edge.data()] = apex;
   };
   std::unordered_map<int, int> starting, ending;  // per vertex: an edge of a rim
   for (int i = static_cast<int>(rims.edge.size()) - 1; i >= 0; --i)
@@ -261,11 +296,16 @@ int sew(const Surface& as_it_is, double reach, Surface& to, const Context& conte
   };
   for (const Stitch& stitch : possible_stitches(mesh, rims, reach, context)) {
     const RimEdge& e = rims.edge[stitch.edge];
-    if (!fits(e, stitch.to)) continue;
+    if (!std::isfinite(stitch.width) || !fits(e, stitch.to)) continue;
     add(e, stitch.to);
     go_on(e.from, stitch.to);
     go_on(stitch.to, e.to);
   }
+  drop_short_runs(rims, apex_of);
+  std::vector<int> triangle = mesh.triangle;
+  int added = 0;
+  for (std::size_t i = 0; i < rims.edge.size(); ++i)
+    if (apex_of[i] >= 0) triangle.insert(triangle.end(), {rims.edge[i].to, rims.edge[i].from, apex_of[i]}), ++added;
   if (added > 0) to = surface_of(mesh.position, std::move(triangle), context);
   return added;
 }

@@ -16,6 +16,7 @@
 #include <map>
 #include <numeric>
 #include <queue>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 
@@ -276,11 +277,15 @@ class Volume {
   const float level_;
 };
 
-// vcglib's walker never frees its slices. For BuildMesh, which makes them, alone.
+// vcglib's walker never frees its slices where they are plain arrays; in later releases they are vectors.
+template <class Slice>
+void free_slice(Slice& slice) {
+  if constexpr (std::is_pointer_v<Slice>) delete[] slice;
+}
+
+// For BuildMesh, which makes the slices, alone.
 struct Walker : vcg::tri::TrivialWalker<WrapMesh, Volume> {
-  ~Walker() {
-    for (auto* slice : {_x_cs, _y_cs, _z_cs, _x_ns, _z_ns}) delete[] slice;
-  }
+  ~Walker() { free_slice(_x_cs), free_slice(_y_cs), free_slice(_z_cs), free_slice(_x_ns), free_slice(_z_ns); }
 };
 
 TriangleMesh boundary(const Grid& grid, float level) {
