@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Finds what a MeshLab plugin needs: the headers of the source tree that matches the MeshLab in use, its common library,
 # and Qt 5. Target: MeshLab::common. Variables: MeshLab_GENERATION (2020, 2022 or 2023), MeshLab_PLUGIN_SUBDIR (where
-# this MeshLab looks for plugins below its prefix), MeshLab_VERSION, MeshLab_REASON (what is missing and how to get it).
+# this MeshLab looks for plugins below its prefix), MeshLab_PREFIX (of the one in use), MeshLab_VERSION, MeshLab_REASON
+# (what is missing and how to get it).
 #
 # Overrides: -DMESHLAB_SOURCE_DIR=  -DMESHLAB_COMMON_LIBRARY=  -DMESHLAB_DOUBLE=ON
 include(MeshLabSource)
@@ -63,8 +64,21 @@ else()
 endif()
 
 if(MeshLab_FOUND AND NOT TARGET MeshLab::common)
-  if(CMAKE_LIBRARY_ARCHITECTURE)
-    set(MeshLab_PLUGIN_SUBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE}/meshlab/plugins)
+  # Debian's: PREFIX/lib/ARCHITECTURE/meshlab/plugins; later ones: PREFIX/lib/meshlab/plugins; of a PyMeshLab, and of a
+  # MeshLab that was not installed: PREFIX/lib/plugins.
+  unset(MeshLab_PREFIX)
+  if(MeshLab_GENERATION EQUAL 2020)
+    set(MeshLab_PLUGIN_SUBDIR lib/meshlab/plugins)
+    if(CMAKE_LIBRARY_ARCHITECTURE)
+      set(MeshLab_PLUGIN_SUBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE}/meshlab/plugins)
+    endif()
+    if(MESHLAB_EXECUTABLE)
+      cmake_path(GET MESHLAB_EXECUTABLE PARENT_PATH MeshLab_PREFIX)
+      cmake_path(GET MeshLab_PREFIX PARENT_PATH MeshLab_PREFIX)
+    endif()
+  elseif(MESHLAB_COMMON_LIBRARY MATCHES "^(.+)/(lib/meshlab|lib)/[^/]+$")
+    set(MeshLab_PREFIX ${CMAKE_MATCH_1})
+    set(MeshLab_PLUGIN_SUBDIR ${CMAKE_MATCH_2}/plugins)
   else()
     set(MeshLab_PLUGIN_SUBDIR lib/meshlab/plugins)
   endif()

@@ -64,6 +64,10 @@ constexpr double kDoubtful = 0.75;  // confidence below which the user is told t
 // Weight of the curvature in the second adjustment. In the first it has none: from afar it leads to the wrong place.
 constexpr double kAdjustCurvature = 0.006;
 
+// Scores: some 0.02 where the pose is symmetric, too, 0.05 to 0.15 in hard poses, seldom more; of wrong maps mostly
+// above this. What is searched for in vain costs time alone.
+constexpr double kFits = 0.1;
+
 // Times the stages one after the other.
 class StageClock {
  public:
@@ -122,25 +126,35 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   const Sites& sites = measured.sites;
   context.report(0, "search");
   const Anchors anchors = make_anchors(references, kind, measured.solver, options.threads);
-  const JointProblem problem(sites, measured.surface, kind, anchors, options.joint);
-  Random random(options.seed);
   std::vector<SampleMap> seeds;
   constexpr int kPlanes = 6;  // more than solids of CAD have that differ
   if (kind == SymmetryKind::reflection)
     for (const MirrorPlane& plane : measured.planes.search(kPlanes))
       seeds.push_back(measured.planes.map(plane, sites.samples));
-  JointResult search = search_joint(problem, random, options.threads, context.part(0, 0.7), std::move(seeds));
-  clock.stage_done("search");
-
-  context.report(0.7, "refinement");
   Survey out{{measured.surface, measured.solver, measured.shortcuts, measured.curvature,
               make_landmarks(sites, anchors.from), anchors.count(), kind == SymmetryKind::reflection, &measured.planes},
              {},
-             std::move(search.log),
-             search.stop};
-  out.ranking = rank_maps(out.matching, sites, search.maps, anchors.image, refine, options.threads,
-                          context.part(0.8, 1, "refinement"));
-  clock.stage_done("choice");
+             {},
+             {}};
+  std::vector<SampleMap> maps;
+  const auto survey = [&](const Anchors& known, const Context& part) {
+    const JointProblem problem(sites, measured.surface, kind, known, options.joint);
+    Random random(options.seed);
+    JointResult search = search_joint(problem, random, options.threads, part.part(0, 0.8), seeds);
+    clock.stage_done("search");
+    part.report(0.8, "refinement");
+    out.log = std::move(search.log);
+    out.stop = search.stop;
+    maps.insert(maps.end(), search.maps.begin(), search.maps.end());
+    out.ranking =
+        rank_maps(out.matching, sites, maps, anchors.image, refine, options.threads, part.part(0.8, 1, "refinement"));
+    clock.stage_done("choice");
+  };
+  // A pose moves references, too: the best map that agrees with them is more often found by a search that minimises
+  // the rest alone. Where it finds none that fits, they are a term of what is minimised.
+  const bool known = anchors.count() > 0;
+  survey({}, context.part(0, known ? 0.6 : 1));
+  if (known && (out.ranking.empty() || out.ranking[0].score > kFits)) survey(anchors, context.part(0.6, 1));
   return out;
 }
 
@@ -149,9 +163,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
 std::unique_ptr<Survey> survey_symmetries(const Measured& measured, const SurfaceReferences& references,
                                           const Options& options, Refine refine, const Context& context,
                                           StageClock& clock) {
-  // Scores: some 0.02 where the pose is symmetric, too, 0.05 to 0.15 in hard poses, seldom more; of wrong maps mostly
-  // above 0.1. What is searched for in vain costs time alone.
-  constexpr double kFits = 0.1, kPlainlyBetter = 0.5;
+  constexpr double kPlainlyBetter = 0.5;
   const auto survey = [&](SymmetryKind kind, double begin, double end) {
     return std::make_unique<Survey>(
         survey_kind(measured, references, kind, options, refine, context.part(begin, end), clock));

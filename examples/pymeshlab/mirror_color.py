@@ -4,7 +4,7 @@
 
     mirror_color.py PLUGIN MESH a0,a1,l,r OUT.ply
 
-PLUGIN is libfilter_ga_symmetry.so as built for this PyMeshLab (docs/pymeshlab.md).
+PLUGIN is libfilter_ga_symmetry.so as built for this PyMeshLab, or - if it is installed there (docs/pymeshlab.md).
 """
 import sys
 
@@ -12,7 +12,8 @@ import pymeshlab
 
 
 def main(plugin, mesh, references, out):
-    pymeshlab.load_plugin(plugin)
+    if plugin != "-":
+        pymeshlab.load_plugin(plugin)
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh(mesh)
 

@@ -3,6 +3,8 @@
 """Run a filter script of meshlabserver, unchanged.
 
     run_script.py PLUGIN MESH SCRIPT.mlx OUT.ply
+
+PLUGIN is libfilter_ga_symmetry.so as built for this PyMeshLab, or - if it is installed there (docs/pymeshlab.md).
 """
 import sys
 
@@ -10,7 +12,8 @@ import pymeshlab
 
 
 def main(plugin, mesh, script, out):
-    pymeshlab.load_plugin(plugin)
+    if plugin != "-":
+        pymeshlab.load_plugin(plugin)
     meshes = pymeshlab.MeshSet(verbose=True)
     meshes.load_new_mesh(mesh)
     meshes.load_filter_script(script)

@@ -19,6 +19,9 @@ constexpr double kReturned = 0.1;       // mean distance, in units, at which sam
                                         // each application adds to it, as partners are taken by the nearest sample
 constexpr std::size_t kContenders = 6;  // survivors taken to vertex resolution to find the best
 constexpr double kTurned = 10;  // times its share of the surface: how much what is wrongly turned adds to the score
+// How far off distances around a reference are, on average, where it goes elsewhere: more than lies between samples,
+// and between sites before refinement.
+constexpr double kElsewhere = 0.15, kElsewhereAtSites = 0.2;  // units
 constexpr double kClose = 1.5;  // times the best score: refinement may still change the order
 
 // How often a map over samples must be applied to come back; 0 if it does not within kMaxOrder.
@@ -34,9 +37,9 @@ int order_of(const Sites& sites, const SampleMap& map) {
 }
 
 // Whether the samples around a reference go elsewhere than around its image: then the map is not the one that is meant.
-bool against_references(const Matching& m, const Images& images) {
+// @param elsewhere  units, mean difference of distances
+bool against_references(const Matching& m, const Images& images, double elsewhere) {
   constexpr int kAround = 6;
-  constexpr double kElsewhere = 0.15;  // units, mean difference of distances: more than lies between samples
   const int samples = m.movable();
   std::vector<std::pair<float, int>> near(samples);
   for (int t = samples; t < m.count(); ++t) {
@@ -46,7 +49,7 @@ bool against_references(const Matching& m, const Images& images) {
     double off = 0;
     for (int k = 0; k < around; ++k)
       off += std::abs(near[k].first - images.field(t, images.vertex[near[k].second])) / m.surface.unit() / around;
-    if (off > kElsewhere) return true;
+    if (off > elsewhere) return true;
   }
   return false;
 }
@@ -204,7 +207,7 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     Candidate& c = survivors[i];
     c.images = images_of(maps[i], sites, reference_images);
     c.order = m.reflection ? 2 : order_of(sites, maps[i]);
-    c.score = against_references(m, c.images) ? INFINITY : disagreement(m, sites, c.images);
+    c.score = against_references(m, c.images, kElsewhereAtSites) ? INFINITY : disagreement(m, sites, c.images);
   });
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   if (refine == Refine::contenders) survivors.resize(std::min(kContenders, survivors.size()));
@@ -218,6 +221,10 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     if (!std::isfinite(c.score)) return;
     const bool refined = refine == Refine::all || c.score < close;
     if (refined) c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
+    if (refined && against_references(m, c.images, kElsewhere)) {
+      c.score = INFINITY;
+      return;
+    }
     if (m.surface.orientable) {
       const Probes probes = match_probes(m, c.images, all);
       if (refined) c.score = disagreement_by(m, sites, of_sites(sites, probes));
