@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs the PyMeshLab examples on a sample. The plugin must be the one for the installed PyMeshLab:
+# Runs the PyMeshLab examples on a sample, then pymeshlab_test.py. The plugin must be the one for the PyMeshLab that
+# python3 imports (scripts/build_plugin), and not be installed there:
 #
 #   GA_SYMMETRY_PYMESHLAB_PLUGIN=libfilter_ga_symmetry.so tests/pymeshlab_test.sh
 #
@@ -25,3 +26,8 @@ for script in "$root"/examples/meshlabserver/*.mlx; do
   python3 "$root/examples/pymeshlab/run_script.py" "$GA_SYMMETRY_PYMESHLAB_PLUGIN" "$sample.off" "$script" out.ply
   [ -s out.ply ] || { echo "FAILED: $script"; exit 1; }
 done
+if python3 -c 'import matplotlib' 2> /dev/null; then
+  python3 "$root/examples/pymeshlab/walk_through.py" "$GA_SYMMETRY_PYMESHLAB_PLUGIN" "$sample.off" .
+  [ -s walk_through.png ] && grep -aq symmetry_partner walk_through.ply || { echo "FAILED: walk_through.py"; exit 1; }
+fi
+PYTHONWARNINGS=ignore::ResourceWarning python3 "$root/tests/pymeshlab_test.py"
