@@ -223,9 +223,8 @@ TEST_P(SculptedSamples, AreMirroredWithATenthOfError) {
   EXPECT_LT(mean, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Posed, SculptedSamples, testing::Bool(), [](const auto& info) {
-  return std::string(info.param ? "with" : "without") + "_references";
-});
+INSTANTIATE_TEST_SUITE_P(Posed, SculptedSamples, testing::Bool(),
+                         [](const auto& info) { return std::string(info.param ? "with" : "without") + "_references"; });
 
 }  // namespace
 }  // namespace ga_symmetry
