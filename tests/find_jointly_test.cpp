@@ -149,6 +149,18 @@ TEST(FindSymmetry, SpectralRefinementBringsPartnersNearer) {
   EXPECT_LT(with, 0.9 * without);
 }
 
+TEST(FindSymmetry, KnownReferencesDoNoHarm) {
+  for (const char* name : {"person_run", "animal_walk", "animal_graze"}) {
+    const std::string base = std::string(GA_SYMMETRY_SAMPLE_MESHES) + "/" + name;
+    const TriangleMesh mesh = read_mesh(base + ".off");
+    const auto truth = read_truth(base + ".truth");
+    Options o;
+    const double without = evaluate_partners(mesh, truth, find_symmetry(mesh, o).partners.partner).mean;
+    o.references = read_references(base + ".refs");
+    EXPECT_LE(evaluate_partners(mesh, truth, find_symmetry(mesh, o).partners.partner).mean, 1.1 * without) << name;
+  }
+}
+
 TEST_F(FindJointly, AboveTheLargestFitnessThereIsNoPartner) {
   Options o;
   o.references = references_of(shape_);

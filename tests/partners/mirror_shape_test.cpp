@@ -167,7 +167,7 @@ TEST(MirrorShape, WithoutAPartnerNothingIsReceived) {
 }
 
 TEST(MirrorShape, RefusesOtherMeshesAndWhatIsNotANumber) {
-  const auto refused = [](TriangleMesh after) {
+  const auto refused = [](const TriangleMesh& after) {
     try {
       transferred_shape(creature().mesh, after, creature().partners, Transfer::average);
     } catch (const std::exception& error) {

@@ -188,7 +188,10 @@ bool SearchSurface::lead(const Surface& mesh, int vertices, const Context& conte
   done_.insert(done_.end(), done.begin(), done.end());
   if (parts > 1) done_.push_back("the largest of " + std::to_string(parts) + " parts leads the others");
   direct_ = surface == &mesh_;
-  if (!direct_) searched_ = surface == &s ? std::move(s) : *surface;
+  if (surface == &s)
+    searched_ = std::move(s);
+  else if (!direct_)
+    searched_ = *surface;
   return true;
 }
 
