@@ -227,7 +227,8 @@ struct GeodesicSolver::Impl {
   template <bool labelled>
   void march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached) const;
   template <bool labelled, class Waiting>
-  void march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached, Waiting queue) const;
+  bool march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached, Waiting queue,
+             float least_gain, std::int64_t visits) const;
 };
 
 struct GeodesicSolver::Workspace {
@@ -379,17 +380,28 @@ GeodesicSolver::WorkspacePointer GeodesicSolver::make_workspace() const {
 template <bool labelled>
 void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w,
                                  std::vector<int>* reached) const {
+  // Most vertices are visited once. Where many lie within a part of a bucket, or faces are so flat that gains are what
+  // floats round, there is no end to visits: then in exact order, and for plain gains alone.
+  constexpr std::int64_t kMostVisits = 10;  // of a vertex, on average
+  constexpr float kPlainGain = 1e-3f;       // of an average edge
   Node* const node = w.node.data();
-  if (uneven)
-    march<labelled>(sources, count, limit, w, reached, ExactQueue(node));
-  else
-    march<labelled>(sources, count, limit, w, reached,
-                    Queue(node, w.head.data(), w.occupied.data(), buckets_per_length));
+  const std::int64_t most = kMostVisits * n;
+  if (uneven ? march<labelled>(sources, count, limit, w, reached, ExactQueue(node), 0, most)
+             : march<labelled>(sources, count, limit, w, reached,
+                               Queue(node, w.head.data(), w.occupied.data(), buckets_per_length), 0, most))
+    return;
+  std::fill(w.node.begin(), w.node.end(), kFresh);
+  std::fill(w.head.begin(), w.head.end(), -1);
+  std::fill(w.occupied.begin(), w.occupied.end(), 0);
+  if (reached) reached->clear();
+  march<labelled>(sources, count, limit, w, reached, ExactQueue(node),
+                  kPlainGain * kBucketsPerEdge / buckets_per_length, std::numeric_limits<std::int64_t>::max());
 }
 
+// @return false if it had not ended after so many visits of vertices
 template <bool labelled, class Waiting>
-void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached,
-                                 Waiting queue) const {
+bool GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached,
+                                 Waiting queue, float least_gain, std::int64_t visits) const {
   Node* const node = w.node.data();
   int* const label = w.label.data();
   for (int i = 0; i < count; ++i) {
@@ -400,6 +412,7 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
   }
   const float beyond = std::nextafter(limit, kInfinity);
   while (!queue.empty()) {
+    if (--visits < 0) return false;
     int after;
     const int number_a = queue.take(after);
     if (after >= 0) __builtin_prefetch(&spoke[hub[after].first]);
@@ -430,7 +443,7 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
         if (!(at_b.distance < along)) at_b = along_edge(a, b->length, gauss);
         Node& x = node[b->to];
         if (labelled) label[b->to] = label[number_a];
-        if (settled(node_b) && !(at_b.distance < node_b.distance - kWorthwhile * b->length)) {
+        if (settled(node_b) && !(at_b.distance < node_b.distance - std::max(least_gain, kWorthwhile * b->length))) {
           x.distance = at_b.distance, x.curvature = at_b.curvature;
         } else {
           if (reached && !(x.distance < kInfinity)) reached->push_back(b->to);
@@ -441,6 +454,7 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
       b = c, node_b = node_c, at_b = at_c;
     }
   }
+  return true;
 }
 
 void GeodesicSolver::field(int source, float* out, Workspace& w) const {
