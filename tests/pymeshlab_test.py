@@ -276,7 +276,7 @@ class Refusals(unittest.TestCase):
         self.assertIn("does not exist", self.refused(meshes, references="1,2,3,999999"))
         self.assertIn("its own partner", self.refused(meshes, references="1,2,3,3"))
         self.assertIn("on the axis and in a pair", self.refused(meshes, references="1,2,3,1"))
-        self.assertIn("a0,a1,l,r", self.refused(meshes, references="left"))
+        self.assertIn("vertex indices", self.refused(meshes, references="left"))
         self.assertIn("rank", self.refused(meshes, rank=31))
         self.assertIn(".csv", self.refused(meshes, export_to="partners.txt"))
         self.assertIn("Find Partners", self.refused(meshes, MIRROR))
