@@ -23,6 +23,8 @@ constexpr float kPointCurvature = 1e30f;
 constexpr float kResolved = 0.7f;
 // A vertex that was done is visited again for a gain of so much of an edge: smaller ones cost more than they bring.
 constexpr float kWorthwhile = 5e-5f;
+// Where visits have no end: of an average edge.
+constexpr float kPlainGain = 1e-3f;
 // Rings over which the Gaussian curvature is averaged: single vertices of a coarse mesh are too noisy to follow.
 constexpr int kCurvatureRings = 3;
 // Buckets of the queue, and how many of them an average edge spans.
@@ -226,9 +228,9 @@ struct GeodesicSolver::Impl {
   }
   template <bool labelled>
   void march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached) const;
-  template <bool labelled, class Waiting>
+  template <bool labelled, bool plain, class Waiting>
   bool march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached, Waiting queue,
-             float least_gain, std::int64_t visits) const;
+             std::int64_t visits) const;
 };
 
 struct GeodesicSolver::Workspace {
@@ -383,25 +385,23 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
   // Most vertices are visited once. Where many lie within a part of a bucket, or faces are so flat that gains are what
   // floats round, there is no end to visits: then in exact order, and for plain gains alone.
   constexpr std::int64_t kMostVisits = 10;  // of a vertex, on average
-  constexpr float kPlainGain = 1e-3f;       // of an average edge
   Node* const node = w.node.data();
   const std::int64_t most = kMostVisits * n;
-  if (uneven ? march<labelled>(sources, count, limit, w, reached, ExactQueue(node), 0, most)
-             : march<labelled>(sources, count, limit, w, reached,
-                               Queue(node, w.head.data(), w.occupied.data(), buckets_per_length), 0, most))
+  if (uneven ? march<labelled, false>(sources, count, limit, w, reached, ExactQueue(node), most)
+             : march<labelled, false>(sources, count, limit, w, reached,
+                                      Queue(node, w.head.data(), w.occupied.data(), buckets_per_length), most))
     return;
   std::fill(w.node.begin(), w.node.end(), kFresh);
   std::fill(w.head.begin(), w.head.end(), -1);
   std::fill(w.occupied.begin(), w.occupied.end(), 0);
   if (reached) reached->clear();
-  march<labelled>(sources, count, limit, w, reached, ExactQueue(node),
-                  kPlainGain * kBucketsPerEdge / buckets_per_length, std::numeric_limits<std::int64_t>::max());
+  march<labelled, true>(sources, count, limit, w, reached, ExactQueue(node), std::numeric_limits<std::int64_t>::max());
 }
 
-// @return false if it had not ended after so many visits of vertices
-template <bool labelled, class Waiting>
+// @return false if it had not ended after so many visits of vertices. plain: visits again for plain gains alone
+template <bool labelled, bool plain, class Waiting>
 bool GeodesicSolver::Impl::march(const int* sources, int count, float limit, Workspace& w, std::vector<int>* reached,
-                                 Waiting queue, float least_gain, std::int64_t visits) const {
+                                 Waiting queue, std::int64_t visits) const {
   Node* const node = w.node.data();
   int* const label = w.label.data();
   for (int i = 0; i < count; ++i) {
@@ -411,6 +411,7 @@ bool GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
     if (reached) reached->push_back(sources[i]);
   }
   const float beyond = std::nextafter(limit, kInfinity);
+  const float plain_gain = kPlainGain * kBucketsPerEdge / buckets_per_length;
   while (!queue.empty()) {
     if (--visits < 0) return false;
     int after;
@@ -443,7 +444,9 @@ bool GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
         if (!(at_b.distance < along)) at_b = along_edge(a, b->length, gauss);
         Node& x = node[b->to];
         if (labelled) label[b->to] = label[number_a];
-        if (settled(node_b) && !(at_b.distance < node_b.distance - std::max(least_gain, kWorthwhile * b->length))) {
+        if (settled(node_b) &&
+            !(at_b.distance <
+              node_b.distance - (plain ? std::max(plain_gain, kWorthwhile * b->length) : kWorthwhile * b->length))) {
           x.distance = at_b.distance, x.curvature = at_b.curvature;
         } else {
           if (reached && !(x.distance < kInfinity)) reached->push_back(b->to);
