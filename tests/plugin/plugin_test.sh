@@ -94,10 +94,13 @@ case $case in
     printf '%s\n' "$a0" "$a1" "$l" "$r" | sort | cmp -s - selected || fail "the selection was changed"
     tail -n +2 partners.csv | cut -d, -f3 | paste - saved | awk '{ d = $1 - $3; if (d < 0) d = -d }
       d > 1e-5 * (1 + $1) { exit 1 }' || fail "the quality is not the fitness"
-    # Blue to 0.05, green at 0.1, red from 0.15 and more; between them one channel rises or falls.
-    table out.ply | awk -v q="$quality" -v r="$red" -v b="$blue" '
+    # Where the quality is worse there is no more blue and no less red, but for rounding; all the blue to 0.05, none from
+    # 0.1, no red to there, all the red from 0.15.
+    table out.ply | sort -g -k"$quality,$quality" | awk -v q="$quality" -v r="$red" -v b="$blue" '
+      NR > 1 && ($r < red - 2 || $b > blue + 2) { exit bad = 1 } { red = $r; blue = $b } NR == 1 { first = $r - $b }
       { wrong = ($q >= 0.15 ? $r < 253 : $q <= 0.1 ? $r > 2 : 0) || ($q <= 0.05 ? $b < 253 : $q >= 0.1 ? $b > 2 : 0) }
-      wrong { exit 1 }' || fail "the colours do not follow the quality"
+      wrong { exit bad = 1 }
+      END { exit bad || red - blue <= first }' || fail "the colours do not follow the quality"
     ;;
   accuracy | automatic)
     if [ "$case" = accuracy ]; then script --select "$refs" export_to=partners.csv

@@ -158,7 +158,7 @@ std::vector<int> turned_alike(const Surface& s, const Rims& rims, double reach) 
 
 // A triangle from an edge of a rim to the start of another.
 struct Stitch {
-  double width;
+  double cost;        // how wide it is, then over the share of their rims that faces the other
   int edge, to, rim;  // rim: that of `to`
 };
 
@@ -170,8 +170,8 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
     starts.row(static_cast<Eigen::Index>(i)) = Vector(s.point(rims.edge[i].from)).transpose();
   const nanoflann::KDTreeEigenMatrixAdaptor<Points, 3> tree(3, std::cref(starts));
   std::vector<Stitch> out, mine;
-  std::map<std::pair<int, int>, std::pair<double, int>>
-      facing;  // of two rims: length of the first that faces the second
+  // Of two rims: the length of the first that faces the second, and the last edge that was counted.
+  std::map<std::pair<int, int>, std::pair<double, int>> facing;
   std::vector<std::pair<Eigen::Index, double>> near;
   for (std::size_t i = 0; i < rims.edge.size(); ++i) {
     if (i % 4096 == 0 && context.cancelled()) throw Cancelled();
@@ -190,11 +190,11 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
         if (around < kAround * width) continue;
       }
       mine.push_back({width, static_cast<int>(i), f.from, f.rim});
-      if (facing.try_emplace({e.rim, f.rim}, 0, -1).first->second.second != static_cast<int>(i))
-        facing[{e.rim, f.rim}] = {facing[{e.rim, f.rim}].first + (b - a).norm(), static_cast<int>(i)};
+      auto& [length, counted] = facing.try_emplace({e.rim, f.rim}, 0, -1).first->second;
+      if (counted != static_cast<int>(i)) length += (b - a).norm(), counted = static_cast<int>(i);
     }
     const auto narrower = [](const Stitch& x, const Stitch& y) {
-      return std::tie(x.width, x.edge, x.to) < std::tie(y.width, y.edge, y.to);
+      return std::tie(x.cost, x.edge, x.to) < std::tie(y.cost, y.edge, y.to);
     };
     std::sort(mine.begin(), mine.end(), narrower);
     out.insert(out.end(), mine.begin(),
@@ -209,10 +209,11 @@ std::vector<Stitch> possible_stitches(const Surface& s, const Rims& rims, double
   for (Stitch& stitch : out) {
     const int a = rims.edge[stitch.edge].rim, b = stitch.rim;
     const double most = std::max(share(a, b), share(b, a));
-    stitch.width = most < kLeast ? INFINITY : stitch.width / most;
+    stitch.cost = most < kLeast ? INFINITY : stitch.cost / most;
   }
+  out.erase(std::remove_if(out.begin(), out.end(), [](const Stitch& x) { return !std::isfinite(x.cost); }), out.end());
   std::sort(out.begin(), out.end(), [](const Stitch& x, const Stitch& y) {
-    return std::tie(x.width, x.edge, x.to) < std::tie(y.width, y.edge, y.to);
+    return std::tie(x.cost, x.edge, x.to) < std::tie(y.cost, y.edge, y.to);
   });
   return out;
 }
@@ -296,7 +297,7 @@ int sew(const Surface& as_it_is, double reach, Surface& to, const Context& conte
   };
   for (const Stitch& stitch : possible_stitches(mesh, rims, reach, context)) {
     const RimEdge& e = rims.edge[stitch.edge];
-    if (!std::isfinite(stitch.width) || !fits(e, stitch.to)) continue;
+    if (!fits(e, stitch.to)) continue;
     add(e, stitch.to);
     go_on(e.from, stitch.to);
     go_on(stitch.to, e.to);
