@@ -33,6 +33,27 @@ Laplacian cotangent_laplacian(const Surface& s) {
   return out;
 }
 
+namespace {
+
+// Takes from the block what lies in the space of the columns before it. In pieces whose size does not depend on the
+// number of threads: nor do the sums.
+void orthogonalize(const Eigen::Ref<const Eigen::MatrixXf>& before, Eigen::MatrixXf& block, int threads) {
+  constexpr int kColumns = 96, kRows = 1024;
+  const auto pieces = [](Eigen::Index size, int piece) { return static_cast<int>((size + piece - 1) / piece); };
+  Eigen::MatrixXf part(before.cols(), block.cols());
+  parallel_for(pieces(before.cols(), kColumns), threads, [&](int i, int) {
+    const Eigen::Index first = Eigen::Index{i} * kColumns,
+                       count = std::min<Eigen::Index>(kColumns, before.cols() - first);
+    part.middleRows(first, count).noalias() = before.middleCols(first, count).transpose() * block;
+  });
+  parallel_for(pieces(before.rows(), kRows), threads, [&](int i, int) {
+    const Eigen::Index first = Eigen::Index{i} * kRows, count = std::min<Eigen::Index>(kRows, before.rows() - first);
+    block.middleRows(first, count).noalias() -= before.middleRows(first, count) * part;
+  });
+}
+
+}  // namespace
+
 Eigen::MatrixXf eigenfunctions(const Surface& s, int count, int threads, const Context& context) {
   constexpr int kBlock = 4;     // columns that are multiplied at once; a shape's symmetries make eigenvalues multiple
   constexpr int kSpare = 60;    // dimensions of the space beyond twice those asked for
@@ -65,8 +86,7 @@ Eigen::MatrixXf eigenfunctions(const Surface& s, int count, int threads, const C
   block = root.cast<float>().asDiagonal() * block;
   for (int b = 0; b < blocks; ++b) {
     if (context.cancelled()) throw Cancelled();
-    const auto before = space.leftCols(b * kBlock);
-    for (int twice = 0; b > 0 && twice < 2; ++twice) block -= before * (before.transpose() * block).eval();
+    for (int twice = 0; b > 0 && twice < 2; ++twice) orthogonalize(space.leftCols(b * kBlock), block, threads);
     const Eigen::HouseholderQR<Eigen::MatrixXf> basis(block);
     space.middleCols(b * kBlock, kBlock) = basis.householderQ() * Eigen::MatrixXf::Identity(n, kBlock);
     block = invert(space.middleCols(b * kBlock, kBlock));
