@@ -27,7 +27,7 @@ picture_packages=(xdotool imagemagick)
 # What makes the page of `ga_symmetry compare`, and the API reference.
 page_packages=(python3-jinja2 python3-matplotlib)
 docs_packages=(doxygen)
-test_packages=(libgtest-dev lintian parallel "${page_packages[@]}" "${docs_packages[@]}")
+test_packages=(libgtest-dev lintian parallel valgrind "${page_packages[@]}" "${docs_packages[@]}")
 
 # configure PRESET [OPTION]...: fetches MeshLab's source if need be, configures build/PRESET.
 configure() {
