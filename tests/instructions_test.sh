@@ -6,7 +6,8 @@
 # that the file names; others skip.
 set -euo pipefail
 tool=$1 samples=$2
-build=$(echo "$(${CXX:-g++} -dumpmachine)" "$(${CXX:-g++} -dumpfullversion)" $3)  # blanks as one
+read -r -a flags <<< "$3"
+build="$(${CXX:-g++} -dumpmachine) $(${CXX:-g++} -dumpfullversion) ${flags[*]}"
 stored=$(dirname "$(realpath "$0")")/instructions.txt
 command -v valgrind > /dev/null || { echo "skipped: there is no valgrind"; exit 77; }
 [ "${4:-}" = --update ] || [ "$(head -1 "$stored")" = "$build" ] ||

@@ -129,7 +129,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   std::vector<SampleMap> seeds;
   constexpr int kPlanes = 6;  // more than solids of CAD have that differ
   if (kind == SymmetryKind::reflection)
-    for (const MirrorPlane& plane : measured.planes.search(kPlanes))
+    for (const MirrorPlane& plane : measured.planes.search(kPlanes, options.threads))
       seeds.push_back(measured.planes.map(plane, sites.samples));
   Survey out{{measured.surface, measured.solver, measured.shortcuts, measured.curvature,
               make_landmarks(sites, anchors.from), anchors.count(), kind == SymmetryKind::reflection, &measured.planes},

@@ -155,7 +155,7 @@ TEST(MirrorPlanes, TheOneOfACreatureThatStandsStraight) {
   const Surface s = make_surface(shapes::moved(shape.mesh, 1));
   std::vector<int> vertices;
   for (int v = 0; v < s.vertices(); v += 8) vertices.push_back(v);
-  const std::vector<MirrorPlane> planes = MirrorPlanes(s, vertices).search(4);
+  const std::vector<MirrorPlane> planes = MirrorPlanes(s, vertices).search(4, 2);
   ASSERT_FALSE(planes.empty());
   EXPECT_LT(planes[0].misfit, 0.01);
   double sum = 0;

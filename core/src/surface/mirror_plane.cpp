@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
+#include "util/parallel.h"
+
 namespace ga_symmetry {
 namespace {
 
@@ -112,6 +114,12 @@ struct MirrorPlanes::Impl {
     plane.offset += step[2];
     return step.norm() > kStill;
   }
+  void fit_fully(Plane& plane) const {
+    constexpr int kSteps = 12;
+    for (int step = 0; step < kSteps && fit(plane); ++step) {
+    }
+    plane.misfit = misfit(plane, few);
+  }
   Plane of_points(const MirrorPlane& p) const {
     return {p.normal.cast<float>(), static_cast<float>((p.offset - p.normal.dot(mean)) / unit), 0};
   }
@@ -146,7 +154,7 @@ MirrorPlanes::MirrorPlanes(const Surface& s, const std::vector<int>& vertices) :
 }
 MirrorPlanes::~MirrorPlanes() = default;
 
-std::vector<MirrorPlane> MirrorPlanes::search(int count) const {
+std::vector<MirrorPlane> MirrorPlanes::search(int count, int threads) const {
   constexpr Eigen::Index kTried = 40, kProbes = 50, kFitted = 24;  // vertices, vertices, planes
   const Impl& m = *impl_;
   const Eigen::Index tried = std::min(kTried, m.few.cols()), probes = std::min(kProbes, m.few.cols());
@@ -162,18 +170,16 @@ std::vector<MirrorPlane> MirrorPlanes::search(int count) const {
       if (d.norm() > kApart) planes.push_back({d.normalized(), d.normalized().dot(0.5f * (p + q)), 0});
     }
   // First against the spaced vertices alone, all at once.
-  for (Plane& plane : planes) {
+  parallel_for(static_cast<int>(planes.size()), threads, [&](int k, int) {
     float sum = 0;
     for (Eigen::Index i = 0; i < probes; ++i)
-      sum += std::min(kCap, (m.few.colwise() - plane.mirror(m.few.col(i))).colwise().squaredNorm().minCoeff());
-    plane.misfit = sum;
-  }
+      sum += std::min(kCap, (m.few.colwise() - planes[k].mirror(m.few.col(i))).colwise().squaredNorm().minCoeff());
+    planes[k].misfit = sum;
+  });
   planes = distinct(std::move(planes), kFitted);
-  std::vector<Plane> fitted;
-  for (const Plane& plane : planes) fitted.push_back(m.of_points(this->fitted(m.of_surface(plane))));
+  parallel_for(static_cast<int>(planes.size()), threads, [&](int k, int) { m.fit_fully(planes[k]); });
   std::vector<MirrorPlane> out;
-  for (std::size_t i = 0; i < fitted.size(); ++i) fitted[i].misfit = m.misfit(fitted[i], m.few);
-  for (const Plane& plane : distinct(std::move(fitted), static_cast<std::size_t>(count)))
+  for (const Plane& plane : distinct(std::move(planes), static_cast<std::size_t>(count)))
     out.push_back(m.of_surface(plane));
   return out;
 }
@@ -191,13 +197,9 @@ MirrorPlane MirrorPlanes::between(const std::vector<Vector>& points, const std::
 }
 
 MirrorPlane MirrorPlanes::fitted(MirrorPlane plane) const {
-  constexpr int kSteps = 12;
-  const Impl& m = *impl_;
-  Plane p = m.of_points(plane);
-  for (int step = 0; step < kSteps && m.fit(p); ++step) {
-  }
-  p.misfit = m.misfit(p, m.few);
-  return m.of_surface(p);
+  Plane p = impl_->of_points(plane);
+  impl_->fit_fully(p);
+  return impl_->of_surface(p);
 }
 
 std::vector<int> MirrorPlanes::map(const MirrorPlane& plane, int samples) const {

@@ -27,7 +27,7 @@ class MirrorPlanes {
 
   /// Distinct planes, best first: of those between two of the first vertices, and the principal planes, the best,
   /// fitted.
-  std::vector<MirrorPlane> search(int count) const;
+  std::vector<MirrorPlane> search(int count, int threads) const;
   /// The plane that most nearly exchanges points that are known to be partners, in no way fitted to the surface.
   static MirrorPlane between(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& partners);
   /// Moves the plane to where the mirrored surface lies best on itself (iterative closest points, Besl & McKay 1992),
