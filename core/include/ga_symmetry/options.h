@@ -42,7 +42,7 @@ struct JointOptions {
   int samples = 100;                   ///< evenly spaced, [20, 1000]
   int sites = 300;                     ///< candidates for partners, evenly spaced, not fewer than samples, [20, 5000]
   int population = 80;                 ///< [4, 10000]
-  int max_generations = 30;            ///< [0, 10000]
+  int max_generations = 40;            ///< [0, 10000]
   double mutation_probability = 0.01;  ///< per gene and generation, [0, 1]
   double ruin_probability = 0.4;       ///< of a child to lose a region and have it made anew, [0, 1]
   double outlier_z = 1.96;             ///< a gene whose cost has a Z-score above looks at all sites, [0, inf]
