@@ -44,7 +44,7 @@ Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Popul
 JointResult search_joint(const JointProblem& problem, Random& random, int threads, const Context& context,
                          std::vector<SampleMap> seeds) {
   constexpr double kSeeded = 0.5;        // progress
-  constexpr int kStallGenerations = 20;  // half the default number of generations; with 10 one map in 22 stops half way
+  constexpr int kStallGenerations = 20;  // half the default number of generations; with 10 two maps of 22 stop half way
   constexpr double kDistinct = 0.1;      // units; maps farther apart than this are different symmetries
   constexpr int kSurvivors = 30;         // as many as `rank` may ask for
   const JointOptions& options = problem.options();
