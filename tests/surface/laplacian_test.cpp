@@ -64,7 +64,7 @@ TEST(Eigenfunctions, OfASphereBeginWithItsCoordinates) {
 }
 
 TEST(Eigenfunctions, AreFewerOnTinySurfacesAndTheSameForAnyNumberOfThreads) {
-  const Surface tiny = make_surface(shapes::icosphere(0)), s = make_surface(shapes::creature(3).mesh);
+  const Surface tiny = make_surface(shapes::icosphere(0)), s = make_surface(shapes::creature(4).mesh);
   EXPECT_LE(eigenfunctions(tiny, 100, 1).cols(), tiny.vertices() / 2);
   EXPECT_EQ(eigenfunctions(s, 40, 1), eigenfunctions(s, 40, 4));
 }

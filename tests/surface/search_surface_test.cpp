@@ -155,8 +155,15 @@ TEST(MirrorPlanes, TheOneOfACreatureThatStandsStraight) {
   const Surface s = make_surface(shapes::moved(shape.mesh, 1));
   std::vector<int> vertices;
   for (int v = 0; v < s.vertices(); v += 8) vertices.push_back(v);
-  const std::vector<MirrorPlane> planes = MirrorPlanes(s, vertices).search(4, 2);
+  const std::vector<MirrorPlane> planes = MirrorPlanes(s, vertices).search(4, 1);
+  const std::vector<MirrorPlane> by_four = MirrorPlanes(s, vertices).search(4, 4);
   ASSERT_FALSE(planes.empty());
+  ASSERT_EQ(by_four.size(), planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    EXPECT_EQ(by_four[i].normal, planes[i].normal);
+    EXPECT_EQ(by_four[i].offset, planes[i].offset);
+    EXPECT_EQ(by_four[i].misfit, planes[i].misfit);
+  }
   EXPECT_LT(planes[0].misfit, 0.01);
   double sum = 0;
   for (int v = 0; v < s.vertices(); ++v)

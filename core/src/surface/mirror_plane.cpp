@@ -114,6 +114,7 @@ struct MirrorPlanes::Impl {
     plane.offset += step[2];
     return step.norm() > kStill;
   }
+  // As many steps as it takes, then the misfit.
   void fit_fully(Plane& plane) const {
     constexpr int kSteps = 12;
     for (int step = 0; step < kSteps && fit(plane); ++step) {
