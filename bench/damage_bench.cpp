@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// damage_bench FOLDER [SEED [THREADS]]: what each damage of the kit costs. Every mesh of the folder with a known
+// damage_bench FOLDER [SEED [THREADS [DAMAGE]]]: what each damage of the kit costs, or that one. Every mesh of the folder with a known
 // symmetry (see dataset.h) is searched whole and with each damage, with references and without; the means are printed
 // as a Markdown table, then every run that loses more than is allowed.
 //
@@ -41,7 +41,8 @@ double thread_seconds() {
 }
 
 // Row 0 is the whole mesh, row k + 1 that with damage k.
-std::vector<Figures> measure_all(const std::string& path, std::uint64_t seed, bool automatic) {
+std::vector<Figures> measure_all(const std::string& path, std::uint64_t seed, bool automatic,
+                                 const std::vector<damage::Kind>& kinds) {
   const TriangleMesh mesh = read_mesh(path);
   const auto known =
       comparison::read_known_symmetry(path, std::filesystem::path(path).parent_path().string(), mesh.vertices());
@@ -50,9 +51,9 @@ std::vector<Figures> measure_all(const std::string& path, std::uint64_t seed, bo
   std::vector<Figures> out;
   std::vector<std::vector<int>> maps;  // of the whole mesh
   Truth lines = known.truth;           // what is left of it by every damage
-  for (std::size_t k = 0; k <= damage::kinds().size(); ++k) {
+  for (std::size_t k = 0; k <= kinds.size(); ++k) {
     const damage::Kind nothing{"", [](damage::Damaged&, Random&) {}};
-    const damage::Damaged d = damage::damaged(mesh, truth, k == 0 ? nothing : damage::kinds()[k - 1], seed);
+    const damage::Damaged d = damage::damaged(mesh, truth, k == 0 ? nothing : kinds[k - 1], seed);
     Options options;
     options.threads = 1;
     options.seed = seed;
@@ -83,18 +84,22 @@ std::vector<Figures> measure_all(const std::string& path, std::uint64_t seed, bo
   return out;
 }
 
-void run(const std::string& folder, std::uint64_t seed, int threads) {
+void run(const std::string& folder, std::uint64_t seed, int threads, const std::string& damage) {
   std::vector<std::string> meshes;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".off" || entry.path().extension() == ".ply")
       meshes.push_back(entry.path().string());
   std::sort(meshes.begin(), meshes.end());
   if (meshes.empty()) throw FileError("no meshes in " + folder);
-  const auto name = [](std::size_t k) { return k == 0 ? std::string("whole") : damage::kinds()[k - 1].name; };
+  std::vector<damage::Kind> kinds;
+  for (const damage::Kind& kind : damage::kinds())
+    if (damage.empty() || kind.name == damage) kinds.push_back(kind);
+  if (kinds.empty()) throw InvalidOption("no damage is called " + damage);
+  const auto name = [&](std::size_t k) { return k == 0 ? std::string("whole") : kinds[k - 1].name; };
   for (const bool automatic : {false, true}) {
     std::vector<std::vector<Figures>> all(meshes.size());
     parallel_for(static_cast<int>(meshes.size()), threads, [&](int i, int) {
-      all[i] = measure_all(meshes[i], seed, automatic);
+      all[i] = measure_all(meshes[i], seed, automatic, kinds);
       std::fprintf(stderr, "%s\n", meshes[i].c_str());
     });
     std::printf("%s, %zu meshes, seed %llu\n\n", automatic ? "Automatic" : "With references", meshes.size(),
@@ -103,7 +108,7 @@ void run(const std::string& folder, std::uint64_t seed, int threads) {
     std::printf("| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     const double count = static_cast<double>(meshes.size());
     Figures whole;
-    for (std::size_t k = 0; k <= damage::kinds().size(); ++k) {
+    for (std::size_t k = 0; k <= kinds.size(); ++k) {
       Figures f;
       for (const auto& mesh : all)
         f.mean += mesh[k].mean / count, f.corr += mesh[k].corr / count, f.coverage += mesh[k].coverage / count,
@@ -114,7 +119,7 @@ void run(const std::string& folder, std::uint64_t seed, int threads) {
     }
     std::printf("\n");
     for (std::size_t i = 0; i < meshes.size(); ++i)
-      for (std::size_t k = 1; k <= damage::kinds().size(); ++k)
+      for (std::size_t k = 1; k <= kinds.size(); ++k)
         if (all[i][k].mean > all[i][0].mean + kMean || all[i][k].corr < all[i][0].corr - kCorr)
           std::printf("- %s, %s: mean %.4f -> %.4f, corr %.4f -> %.4f\n",
                       std::filesystem::path(meshes[i]).stem().c_str(), name(k).c_str(), all[i][0].mean, all[i][k].mean,
@@ -164,11 +169,12 @@ int main(int argc, char** argv) {
   try {
     if (argc == 5 && std::string(argv[1]) == "--make") {
       make(argv[2], std::atoi(argv[3]), argv[4]);
-    } else if (argc >= 2 && argc <= 4 && argv[1][0] != '-') {
-      run(argv[1], argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1, argc > 3 ? std::atoi(argv[3]) : 0);
+    } else if (argc >= 2 && argc <= 5 && argv[1][0] != '-') {
+      run(argv[1], argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1, argc > 3 ? std::atoi(argv[3]) : 0,
+          argc > 4 ? argv[4] : "");
     } else {
       std::fprintf(stderr,
-                   "usage: damage_bench FOLDER [SEED [THREADS]]\n       damage_bench --make MESH LEVELS OUT.ply\n");
+                   "usage: damage_bench FOLDER [SEED [THREADS [DAMAGE]]]\n       damage_bench --make MESH LEVELS OUT.ply\n");
       return 2;
     }
   } catch (const std::exception& e) {

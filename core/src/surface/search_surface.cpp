@@ -54,20 +54,28 @@ Surface faces_of(const Surface& mesh, const Wanted& wanted, const Context& conte
   return surface_of(std::move(position), std::move(triangle), context);
 }
 
-// Leaves out sheets of hardly any area, fins and flaps: as borders of what they stand on they would count as holes. Not
-// where they are much of the whole together, or hold it together.
-// @return how many were left out
-int drop_scraps(const Surface& from, Surface& to, const Context& context) {
-  constexpr double kScrap = 0.01, kScraps = 0.25;  // of the area: one of them, all of them
+// Leaves out sheets of less than a share of the area, as long as they are no great part of the whole together.
+// @return how many were left out; 0 leaves `to` alone
+int without_scraps(const Surface& from, double scrap, Surface& to, const Context& context) {
+  constexpr double kScraps = 0.25;  // of the area
   const Sheets sheets(from);
-  if (sheets.count() == 1) return 0;
   int scraps = 0;
   double dropped = 0;
   for (const double a : sheets.area)
-    if (a < kScrap * from.area) ++scraps, dropped += a;
-  if (scraps == 0 || dropped > kScraps * from.area) return 0;
+    if (a < scrap * from.area) ++scraps, dropped += a;
+  if (scraps == 0 || scraps == sheets.count() || dropped > kScraps * from.area) return 0;
   to = faces_of(
-      from, [&](std::size_t f) { return sheets.area[sheets.of_face[f]] >= kScrap * from.area; }, context);
+      from, [&](std::size_t f) { return sheets.area[sheets.of_face[f]] >= scrap * from.area; }, context);
+  return scraps;
+}
+
+// Leaves out fins and flaps: as borders of what they stand on they would count as holes. Not where they hold the whole
+// together.
+// @return how many were left out
+int drop_scraps(const Surface& from, Surface& to, const Context& context) {
+  constexpr double kScrap = 0.01;
+  const int scraps = without_scraps(from, kScrap, to, context);
+  if (scraps == 0) return 0;
   int parts = 0;
   face_parts(to.triangle, to.vertices(), parts);
   return parts == 1 ? scraps : 0;
@@ -113,8 +121,11 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
   const int vertices = options.proxy > 0 ? options.proxy : std::max(3000, parts_ == 1 ? mesh_.vertices() : 0);
   // Wider gaps are not sewn: hands on hips, or the legs of trousers, are near each other, too.
   constexpr double kGap = 0.05;  // units
-  Surface sewn;
-  const int stitches = parts_ > 1 ? sew(mesh_, kGap * mesh_.unit(), sewn, context) : 0;
+  // Fins and debris have rims, too, and nothing to be sewn to.
+  constexpr double kDebris = 0.0005;  // of the area
+  Surface trimmed, sewn;
+  const Surface& body = parts_ > 1 && without_scraps(mesh_, kDebris, trimmed, context) > 0 ? trimmed : mesh_;
+  const int stitches = parts_ > 1 ? sew(body, kGap * mesh_.unit(), sewn, context) : 0;
   if (stitches > 0) done_.push_back("sewn gaps between parts with " + std::to_string(stitches) + " triangles");
   const Surface& whole = stitches > 0 ? sewn : mesh_;
   if (!lead(whole, vertices, context.part(0, 0.8))) wrap_all(whole, vertices, context.part(0, 0.8));

@@ -54,13 +54,12 @@ int next_on_border(const Surface& s, int corner) {
 }
 
 Rims rims_of(const Surface& s) {
-  constexpr double kScrap = 0.0005;  // of the area: less is no part that a rim could lead to
   const Sheets sheets(s);
   Rims out;
   std::vector<char> seen(s.triangle.size(), 0);
   for (int first = 0; first < static_cast<int>(s.triangle.size()); ++first) {
     const int sheet = sheets.of_face[first / 3];
-    if (s.opposite[first] >= 0 || seen[first] || sheets.area[sheet] < kScrap * s.area) continue;
+    if (s.opposite[first] >= 0 || seen[first]) continue;
     double along = 0;
     for (int c = first; !seen[c]; c = next_on_border(s, c)) {
       seen[c] = 1;

@@ -335,6 +335,26 @@ int dissolve_needles(const std::vector<double>& position, std::vector<int>& tria
   return found;
 }
 
+// Of faces on the same places the first stays. @return how many went
+int drop_repeated(std::vector<int>& triangle) {
+  std::vector<std::array<int, 4>> key(triangle.size() / 3);
+  for (std::size_t f = 0; f < key.size(); ++f) {
+    std::array<int, 3> t{triangle[3 * f], triangle[3 * f + 1], triangle[3 * f + 2]};
+    std::sort(t.begin(), t.end());
+    key[f] = {t[0], t[1], t[2], static_cast<int>(f)};
+  }
+  std::sort(key.begin(), key.end());
+  std::vector<char> again(key.size(), 0);
+  int found = 0;
+  for (std::size_t i = 1; i < key.size(); ++i)
+    if (std::equal(key[i].begin(), key[i].begin() + 3, key[i - 1].begin())) again[key[i][3]] = 1, ++found;
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < again.size(); ++f)
+    if (!again[f]) std::copy_n(&triangle[3 * f], 3, &triangle[3 * kept++]);
+  triangle.resize(3 * kept);
+  return found;
+}
+
 }  // namespace
 
 WeldedMesh weld(const TriangleMesh& mesh, const Context& context) {
@@ -403,23 +423,14 @@ WeldedMesh weld(const TriangleMesh& mesh, const Context& context) {
     std::copy_n(t, 3, &triangle[3 * kept++]);
   }
   triangle.resize(3 * kept);
+  // First: what follows splits one face of several on the same places, and the halves would lie on the rest.
+  repeated += drop_repeated(triangle);
   zero_area += dissolve_needles(out.position, triangle);
   const int junctions = split_at_junctions(out.position, triangle, context);
+  repeated += drop_repeated(triangle);
   stop_at(0, context);
 
-  // Of faces on the same places the first stays.
-  std::vector<std::array<int, 4>> key(triangle.size() / 3);
-  for (std::size_t f = 0; f < key.size(); ++f) {
-    std::array<int, 3> t{triangle[3 * f], triangle[3 * f + 1], triangle[3 * f + 2]};
-    std::sort(t.begin(), t.end());
-    key[f] = {t[0], t[1], t[2], static_cast<int>(f)};
-  }
-  std::sort(key.begin(), key.end());
-  std::vector<char> again(key.size(), 0);
-  for (std::size_t i = 1; i < key.size(); ++i)
-    if (std::equal(key[i].begin(), key[i].begin() + 3, key[i - 1].begin())) again[key[i][3]] = 1, ++repeated;
-  for (std::size_t f = 0; f < key.size(); ++f)
-    if (!again[f]) out.triangle.insert(out.triangle.end(), &triangle[3 * f], &triangle[3 * f] + 3);
+  out.triangle = std::move(triangle);
   const auto note = [&](int count, const char* one, const char* many, const char* before, const char* after) {
     if (count)
       out.notes.push_back(std::string(before) + std::to_string(count) + " " + (count == 1 ? one : many) + after);
