@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -79,6 +80,34 @@ int drop_scraps(const Surface& from, Surface& to, const Context& context) {
   int parts = 0;
   face_parts(to.triangle, to.vertices(), parts);
   return parts == 1 ? scraps : 0;
+}
+
+// Makes the ends of edges shorter than `least` one, as long as such edges are few. @return whether there were any
+bool without_short_edges(const Surface& from, double least, Surface& to, const Context& context) {
+  constexpr double kFew = 0.01;  // of the edges
+  std::vector<int> root(from.vertices());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  int found = 0;
+  for (int c = 0; c < 3 * from.triangles(); ++c) {
+    const int a = from.triangle[c], b = from.triangle[next_corner(c)];
+    if (from.edge_length(a, b) >= least) continue;
+    ++found;
+    const auto [low, high] = std::minmax({find(a), find(b)});
+    root[high] = low;
+  }
+  if (found == 0 || found > kFew * 3 * from.triangles()) return false;
+  const auto stays = [&](std::size_t f) {
+    const int a = find(from.triangle[3 * f]), b = find(from.triangle[3 * f + 1]), c = find(from.triangle[3 * f + 2]);
+    return a != b && b != c && c != a;
+  };
+  Surface merged = from;
+  for (int& v : merged.triangle) v = find(v);
+  to = faces_of(merged, stays, context);
+  return true;
 }
 
 double diagonal_of(const Surface& mesh) {
@@ -195,6 +224,10 @@ bool SearchSurface::lead(const Surface& mesh, int vertices, const Context& conte
   }
   // Edges as short as what float coordinates round: a front would go round and round on them.
   constexpr double kRounding = 1e-6;
+  if (Surface merged; without_short_edges(*surface, kRounding * surface->unit(), merged, context)) {
+    s = std::move(merged);
+    surface = &s;
+  }
   if (edge_lengths(*surface).first < kRounding * surface->unit()) return false;
   done_.insert(done_.end(), done.begin(), done.end());
   if (parts > 1) done_.push_back("the largest of " + std::to_string(parts) + " parts leads the others");
