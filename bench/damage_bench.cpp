@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// damage_bench FOLDER [SEED [THREADS [DAMAGE]]]: what each damage of the kit costs, or that one. Every mesh of the folder with a known
-// symmetry (see dataset.h) is searched whole and with each damage, with references and without; the means are printed
-// as a Markdown table, then every run that loses more than is allowed.
+// damage_bench FOLDER [SEED [THREADS [DAMAGE]]]: what each damage of the kit costs, or that one. Every mesh of the
+// folder with a known symmetry (see dataset.h) is searched whole and with each damage, with references and without; the
+// means are printed as a Markdown table, then every run that loses more than is allowed.
 //
 // damage_bench --make MESH LEVELS OUT.ply: cuts every face in four LEVELS times, adds noise, debris, seams and fins,
 // and writes OUT.ply; OUT.clean.ply is the same before, also in random order, as
@@ -173,8 +173,9 @@ int main(int argc, char** argv) {
       run(argv[1], argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1, argc > 3 ? std::atoi(argv[3]) : 0,
           argc > 4 ? argv[4] : "");
     } else {
-      std::fprintf(stderr,
-                   "usage: damage_bench FOLDER [SEED [THREADS [DAMAGE]]]\n       damage_bench --make MESH LEVELS OUT.ply\n");
+      std::fprintf(
+          stderr,
+          "usage: damage_bench FOLDER [SEED [THREADS [DAMAGE]]]\n       damage_bench --make MESH LEVELS OUT.ply\n");
       return 2;
     }
   } catch (const std::exception& e) {

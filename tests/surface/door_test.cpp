@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vcg/complex/complex.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -181,23 +182,31 @@ TEST(Door, ClosesTJunctions) {
   EXPECT_EQ(surface.notes.size(), 1u + (surface.flipped > 0));
 }
 
-TEST(Door, NeedlesLeaveNoGap) {
-  TriangleMesh mesh = shapes::grid(2, 2);  // two triangles
-  // A place in the middle of the diagonal, and a needle that fills the gap that a split of one side alone would leave.
-  const Surface before = make_surface(mesh);
+// A square of two triangles, and a needle: the ends of the diagonal and its middle.
+TriangleMesh square_with_a_needle(bool faces_twice) {
+  TriangleMesh mesh = shapes::grid(2, 2);
+  const Surface square = make_surface(mesh);
   std::vector<int> diagonal;
   for (int c = 0; c < 6; ++c)
-    if (before.opposite[c] >= 0) diagonal = {before.triangle[next_corner(c)], before.triangle[previous_corner(c)]};
-  ASSERT_EQ(diagonal.size(), 2u);
+    if (square.opposite[c] >= 0) diagonal = {square.triangle[next_corner(c)], square.triangle[previous_corner(c)]};
   const int middle = mesh.vertices();
   for (int k = 0; k < 3; ++k)
     mesh.position.push_back(0.5 * (mesh.position[3 * diagonal[0] + k] + mesh.position[3 * diagonal[1] + k]));
+  const std::vector<int> once = mesh.triangle;
+  if (faces_twice) mesh.triangle.insert(mesh.triangle.end(), once.begin(), once.end());
   mesh.triangle.insert(mesh.triangle.end(), {diagonal[0], diagonal[1], middle});
-  const Surface after = make_surface(mesh);
-  EXPECT_NEAR(after.area, before.area, 1e-12);
-  int parts = 0;
-  for (const int o : after.opposite) parts += o < 0;
-  EXPECT_EQ(parts, 4) << "only the square's own sides are a border";
+  return mesh;
+}
+
+TEST(Door, NeedlesLeaveNoGapAndNothingTwice) {
+  const Surface square = make_surface(shapes::grid(2, 2));
+  for (const bool twice : {false, true}) {
+    // The needle fills the gap that a split of one side alone would leave.
+    const Surface after = make_surface(square_with_a_needle(twice));
+    EXPECT_NEAR(after.area, square.area, 1e-12) << twice;
+    EXPECT_EQ(std::count(after.opposite.begin(), after.opposite.end(), -1), 4) << "the square's own sides";
+    EXPECT_EQ(after.branching, 0);
+  }
 }
 
 TEST(Door, ScaleMakesNoDifference) {

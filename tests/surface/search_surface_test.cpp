@@ -247,6 +247,29 @@ TEST(SearchSurface, FinsAreLeftAside) {
 
 // Two bodies that only a thin strip of its own holds together, along edges of three faces: without it there would be
 // two parts, between which there is no distance.
+TEST(SearchSurface, AnEdgeAsShortAsRoundingIsMadeAPoint) {
+  TriangleMesh mesh = shapes::creature(4).mesh;
+  const Surface whole = make_surface(mesh);
+  const int c = 0, o = whole.opposite[c], a = mesh.triangle[1], b = mesh.triangle[2], d = mesh.vertices();
+  ASSERT_GE(o, 0);
+  for (int k = 0; k < 3; ++k) {
+    const double p = mesh.position[3 * static_cast<std::size_t>(a) + k];
+    mesh.position.push_back(p + 1e-7 * (mesh.position[3 * static_cast<std::size_t>(b) + k] - p));
+  }
+  for (const int corner : {c, o}) {  // the corner at b becomes d; what is cut off is added
+    const int f = corner - corner % 3, tip = mesh.triangle[corner];
+    const bool forward = mesh.triangle[next_corner(corner)] == a;
+    for (int k = 0; k < 3; ++k)
+      if (mesh.triangle[f + k] == b) mesh.triangle[f + k] = d;
+    mesh.triangle.insert(mesh.triangle.end(), {tip, forward ? d : b, forward ? b : d});
+  }
+  ASSERT_TRUE(make_surface(mesh).closed);
+  const SearchSurface search(make_surface(mesh), Options());
+  EXPECT_EQ(search.summary().find("wrapped"), std::string::npos) << search.summary();
+  EXPECT_EQ(search.searched().vertices(), whole.vertices());
+  EXPECT_NEAR(search.searched().area, whole.area, 1e-9);
+}
+
 TEST(SearchSurface, AScrapThatHoldsTheWholeTogetherStays) {
   TriangleMesh mesh = shapes::icosphere(3);
   const int n = mesh.vertices(), faces = mesh.triangles();

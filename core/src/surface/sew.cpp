@@ -70,6 +70,14 @@ Rims rims_of(const Surface& s) {
     }
     out.length.push_back(along);
   }
+  // A hole where a face or two are missing is no end of a limb.
+  constexpr int kFewest = 6;  // edges
+  std::vector<int> edges(out.length.size(), 0), most(sheets.count(), 0);
+  for (const RimEdge& e : out.edge) ++edges[e.rim];
+  for (const RimEdge& e : out.edge) most[e.sheet] = std::max(most[e.sheet], edges[e.rim]);
+  out.edge.erase(std::remove_if(out.edge.begin(), out.edge.end(),
+                                [&](const RimEdge& e) { return edges[e.rim] < std::min(kFewest, most[e.sheet]); }),
+                 out.edge.end());
   for (const RimEdge& e : out.edge) {
     const Vector a(s.point(e.from)), b(s.point(e.to)), along = (b - a).stableNormalized();
     const Vector inward = Vector(s.point(s.triangle[e.corner])) - a;
