@@ -2,6 +2,7 @@
 #include "matching/features.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "util/parallel.h"
 
@@ -22,6 +23,33 @@ void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcut
   }
 }
 
+// How much each landmark may be relied on, by how far off its distances to the others are: one whose counterpart is
+// missing goes anywhere, and draws its neighbours along. The median, so that the rest is not blamed.
+std::vector<float> trust_of(const Matching& m, const Images& images) {
+  constexpr float kOff = 0.1f;    // units: more than poses do
+  constexpr float kOrdinary = 4;  // times the median of all
+  const int count = m.count();
+  const auto median = [](std::vector<float> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  std::vector<float> off(count), differences(count);
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j)
+      differences[j] =
+          std::abs(m.landmarks.field(j, m.landmarks.vertex[i]) - images.field(j, images.vertex[i])) / m.unit();
+    off[i] = median(differences);
+  }
+  if (count == 0) return off;
+  const float scale = std::max(kOff, kOrdinary * median(off));
+  for (int i = 0; i < count; ++i) {
+    const float x = off[i] / scale, plus = 1 + x * x;
+    off[i] = i < m.movable() ? 1 / (plus * plus) : 1;  // references are the user's word
+  }
+  return off;
+}
+
 }  // namespace
 
 Features make_tight_features(const Matching& m, const Images& images, int threads) {
@@ -32,6 +60,8 @@ Features make_tight_features(const Matching& m, const Images& images, int thread
   f.dimension = f.distances + kCurvatureFeatures;
   f.source.resize(static_cast<std::size_t>(n) * f.dimension);
   f.target.resize(f.source.size());
+  f.trust = trust_of(m, images);
+  if (m.reflection) f.trust.insert(f.trust.end(), f.trust.begin(), f.trust.end());
   const float scale = 1 / m.unit();
   constexpr int kBlock = 64;  // transposed in blocks that fit the cache
   parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {

@@ -41,7 +41,7 @@ class Matcher {
     float sum = 0;
     for (int i = 0; i < features_.distances; ++i) {
       const float x = source_[i] * source_[i] + weighting_.near2;
-      sum += weight_[i] = weighting_.power == 2.f ? 1 / x : 1 / (x * std::sqrt(x));
+      sum += weight_[i] = features_.trust[i] * (weighting_.power == 2.f ? 1 / x : 1 / (x * std::sqrt(x)));
     }
     for (int i = 0; i < features_.distances; ++i) weight_[i] /= sum;
   }
