@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// damage_bench FOLDER [SEED [THREADS [DAMAGE]]]: what each damage of the kit costs, or that one. Every mesh of the
-// folder with a known symmetry (see dataset.h) is searched whole and with each damage, with references and without; the
-// means are printed as a Markdown table, then every run that loses more than is allowed.
+// damage_bench FOLDER [SEED [THREADS [DAMAGE]]]: what each damage of the kit costs, or that one; "partial": what is
+// lost with parts of the shape. Every mesh of the folder with a known symmetry (see dataset.h) is searched whole and
+// with each damage, with references and without; the means are printed as a Markdown table, then every run that loses
+// more than is allowed.
 //
 // damage_bench --make MESH LEVELS OUT.ply: cuts every face in four LEVELS times, adds noise, debris, seams and fins,
 // and writes OUT.ply; OUT.clean.ply is the same before, also in random order, as
@@ -94,6 +95,8 @@ void run(const std::string& folder, std::uint64_t seed, int threads, const std::
   std::vector<damage::Kind> kinds;
   for (const damage::Kind& kind : damage::kinds())
     if (damage.empty() || kind.name == damage) kinds.push_back(kind);
+  for (const damage::Kind& kind : damage::partial_kinds())
+    if (damage == "partial" || kind.name == damage) kinds.push_back(kind);
   if (kinds.empty()) throw InvalidOption("no damage is called " + damage);
   const auto name = [&](std::size_t k) { return k == 0 ? std::string("whole") : kinds[k - 1].name; };
   for (const bool automatic : {false, true}) {

@@ -164,6 +164,38 @@ int split_one_side(Damaged& d, int corner) {
   return middle;
 }
 
+// Takes away the faces with a vertex that goes, then all but the largest part.
+void take_away(Damaged& d, const std::vector<char>& gone) {
+  const auto keep = [&](const auto& wanted) {
+    std::vector<int> kept;
+    for (int f = 0; f < d.mesh.triangles(); ++f)
+      if (const int* t = &d.mesh.triangle[3 * static_cast<std::size_t>(f)]; wanted(t))
+        kept.insert(kept.end(), t, t + 3);
+    d.mesh.triangle = std::move(kept);
+  };
+  keep([&](const int* t) { return !gone[t[0]] && !gone[t[1]] && !gone[t[2]]; });
+  std::vector<int> root(d.mesh.vertices()), faces(d.mesh.vertices(), 0);
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (int f = 0; f < d.mesh.triangles(); ++f)
+    for (int k = 1; k < 3; ++k) root[find(d.mesh.triangle[3 * f + k])] = find(d.mesh.triangle[3 * f]);
+  for (int f = 0; f < d.mesh.triangles(); ++f) ++faces[find(d.mesh.triangle[3 * f])];
+  const auto largest = static_cast<int>(std::max_element(faces.begin(), faces.end()) - faces.begin());
+  keep([&](const int* t) { return find(t[0]) == largest; });
+}
+
+// Marks the vertices with the greatest values.
+void mark(const std::vector<double>& value, double share, std::vector<char>& gone) {
+  std::vector<int> order(value.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value[a] > value[b]; });
+  order.resize(static_cast<std::size_t>(share * static_cast<double>(value.size())));
+  for (const int v : order) gone[v] = 1;
+}
+
 int share_of(const Damaged& d, double share) {
   return std::max(1, static_cast<int>(std::lround(share * d.mesh.triangles())));
 }
@@ -293,6 +325,26 @@ void add_noise(Damaged& d, double size, Random& random) {
   for (double& x : d.mesh.position) x += draw(random, -size, size);
 }
 
+void cut_off(Damaged& d, double share, Random& random) {
+  const Vector direction = draw_direction(random);
+  std::vector<double> height;
+  for (int v = 0; v < d.mesh.vertices(); ++v) height.push_back(point(d.mesh, v).dot(direction));
+  std::vector<char> gone(d.mesh.vertices(), 0);
+  mark(height, share, gone);
+  take_away(d, gone);
+}
+
+void bite(Damaged& d, int balls, double share, Random& random) {
+  std::vector<char> gone(d.mesh.vertices(), 0);
+  for (int i = 0; i < balls; ++i) {
+    const Vector centre = point(d.mesh, static_cast<int>(draw_below(random, d.mesh.vertices())));
+    std::vector<double> nearness;
+    for (int v = 0; v < d.mesh.vertices(); ++v) nearness.push_back(-(point(d.mesh, v) - centre).norm());
+    mark(nearness, share, gone);
+  }
+  take_away(d, gone);
+}
+
 void finish(Damaged& d, Random& random) {
   const Damaged old = d;
   std::vector<char> used(old.mesh.vertices(), 0);
@@ -340,6 +392,13 @@ const std::vector<Kind>& kinds() {
          loosen_faces(d, kFlipped, random);
        }}};
   return all;
+}
+
+const std::vector<Kind>& partial_kinds() {
+  static const std::vector<Kind> both{
+      {"cut_off", [](Damaged& d, Random& random) { cut_off(d, draw(random, 0.1, 0.25), random); }},
+      {"bitten", [](Damaged& d, Random& random) { bite(d, 3, 0.05, random); }}};
+  return both;
 }
 
 Damaged damaged(const TriangleMesh& mesh, const std::vector<int>& truth, const Kind& kind, std::uint64_t seed) {

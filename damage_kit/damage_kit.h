@@ -55,6 +55,14 @@ void add_junctions(Damaged& d, int count, Random& random);
 /// Moves every coordinate at random by up to `size`.
 void add_noise(Damaged& d, double size, Random& random);
 
+/// Takes away what lies beyond a random plane, as of a scan that does not reach so far; of the rest the largest part
+/// stays.
+/// @param share  of the vertices that are beyond
+void cut_off(Damaged& d, double share, Random& random);
+/// Takes away what lies in balls around random vertices; of the rest the largest part stays.
+/// @param share  of the vertices in each ball
+void bite(Damaged& d, int balls, double share, Random& random);
+
 /// Drops vertices of no face, shuffles vertices, faces and corners, and sets `partner`.
 void finish(Damaged& d, Random& random);
 
@@ -65,6 +73,8 @@ struct Kind {
 };
 /// Each alone; the last is all at once.
 const std::vector<Kind>& kinds();
+/// Those that take away a part of the shape and with it its symmetry; none of `kinds()`.
+const std::vector<Kind>& partial_kinds();
 
 /// A whole mesh with one damage, finished. The same seed gives the same mesh.
 Damaged damaged(const TriangleMesh& mesh, const std::vector<int>& truth, const Kind& kind, std::uint64_t seed);

@@ -240,6 +240,23 @@ TEST_P(EachDamage, KeepsTheTruth) {
 INSTANTIATE_TEST_SUITE_P(DamageKit, EachDamage, testing::ValuesIn(kinds()),
                          [](const auto& info) { return info.param.name; });
 
+TEST(DamageKit, WhatLosesItsCounterpartHasNoPartner) {
+  for (const Kind& kind : partial_kinds()) {
+    const Damaged d = damaged(creature().mesh, creature().partner, kind, 1);
+    EXPECT_EQ(parts(d.mesh), 1) << kind.name;
+    EXPECT_LT(d.mesh.vertices(), 0.95 * kVertices) << kind.name;
+    EXPECT_GT(d.mesh.vertices(), 0.6 * kVertices) << kind.name;
+    std::set<int> left(d.origin.begin(), d.origin.end());
+    for (int v = 0; v < d.mesh.vertices(); ++v) {
+      const int partner = creature().partner[d.origin[v]];
+      if (left.count(partner))
+        EXPECT_EQ(d.origin[d.partner[v]], partner);
+      else
+        EXPECT_EQ(d.partner[v], -1);
+    }
+  }
+}
+
 // One test for all of them: the whole creature is searched and the distances are measured once.
 TEST(DamageKit, CostsTheSearchHardlyAnything) {
   constexpr double kMean = 0.003, kCorr = 0.01;

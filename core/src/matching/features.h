@@ -12,8 +12,8 @@ namespace ga_symmetry {
 struct Features {
   int distances = 0;  ///< that many come first, in units; then the curvature
   int dimension = 0;
-  std::vector<float> trust;                       ///< per distance: how much its landmark's image may be relied on, (0, 1]
-  std::vector<float> source, target;              ///< vertices x dimension: d(v, landmarks) against d(c, images)
+  std::vector<float> trust;           ///< per distance: how much its landmark's image may be relied on, (0, 1]
+  std::vector<float> source, target;  ///< vertices x dimension: d(v, landmarks) against d(c, images)
   std::vector<float> source_slack, target_slack;  ///< how much they may differ from that; empty = not at all
   const float* of(const std::vector<float>& data, int v) const {
     return &data[static_cast<std::size_t>(v) * dimension];
