@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "surface/welded_mesh.h"
+
 namespace ga_symmetry::damage {
 namespace {
 
@@ -168,23 +170,22 @@ int split_one_side(Damaged& d, int corner) {
 void take_away(Damaged& d, const std::vector<char>& gone) {
   const auto keep = [&](const auto& wanted) {
     std::vector<int> kept;
-    for (int f = 0; f < d.mesh.triangles(); ++f)
-      if (const int* t = &d.mesh.triangle[3 * static_cast<std::size_t>(f)]; wanted(t))
-        kept.insert(kept.end(), t, t + 3);
+    for (int f = 0; f < d.mesh.triangles(); ++f) {
+      const int* t = &d.mesh.triangle[3 * static_cast<std::size_t>(f)];
+      if (wanted(f)) kept.insert(kept.end(), t, t + 3);
+    }
     d.mesh.triangle = std::move(kept);
   };
-  keep([&](const int* t) { return !gone[t[0]] && !gone[t[1]] && !gone[t[2]]; });
-  std::vector<int> root(d.mesh.vertices()), faces(d.mesh.vertices(), 0);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  for (int f = 0; f < d.mesh.triangles(); ++f)
-    for (int k = 1; k < 3; ++k) root[find(d.mesh.triangle[3 * f + k])] = find(d.mesh.triangle[3 * f]);
-  for (int f = 0; f < d.mesh.triangles(); ++f) ++faces[find(d.mesh.triangle[3 * f])];
+  keep([&](int f) {
+    const int* t = &d.mesh.triangle[3 * static_cast<std::size_t>(f)];
+    return !gone[t[0]] && !gone[t[1]] && !gone[t[2]];
+  });
+  int count = 0;
+  const std::vector<int> part = face_parts(d.mesh.triangle, d.mesh.vertices(), count);
+  std::vector<int> faces(count, 0);
+  for (const int p : part) ++faces[p];
   const auto largest = static_cast<int>(std::max_element(faces.begin(), faces.end()) - faces.begin());
-  keep([&](const int* t) { return find(t[0]) == largest; });
+  keep([&](int f) { return part[f] == largest; });
 }
 
 // Marks the vertices with the greatest values.

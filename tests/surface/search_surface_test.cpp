@@ -245,8 +245,6 @@ TEST(SearchSurface, FinsAreLeftAside) {
   EXPECT_LT(mean_error(shape.mesh, shape.partner, partner), whole + 0.01);
 }
 
-// Two bodies that only a thin strip of its own holds together, along edges of three faces: without it there would be
-// two parts, between which there is no distance.
 TEST(SearchSurface, AnEdgeAsShortAsRoundingIsMadeAPoint) {
   TriangleMesh mesh = shapes::creature(4).mesh;
   const Surface whole = make_surface(mesh);
@@ -270,6 +268,8 @@ TEST(SearchSurface, AnEdgeAsShortAsRoundingIsMadeAPoint) {
   EXPECT_NEAR(search.searched().area, whole.area, 1e-9);
 }
 
+// Two bodies that only a thin strip of its own holds together, along edges of three faces: without it there would be
+// two parts, between which there is no distance.
 TEST(SearchSurface, AScrapThatHoldsTheWholeTogetherStays) {
   TriangleMesh mesh = shapes::icosphere(3);
   const int n = mesh.vertices(), faces = mesh.triangles();

@@ -88,6 +88,29 @@ TEST(Sew, TubesThatTouchAreNotJoined) {
   EXPECT_EQ(parts, 2);
 }
 
+TEST(Sew, AHoleOfAFaceIsLeftAlone) {
+  // A torus with a gap, and two edges beside the gap a face is missing, too.
+  constexpr int kAround = 60, kAlong = 24;
+  TriangleMesh m = shapes::torus(kAround, kAlong);
+  std::vector<int> kept;
+  bool hole = false;
+  for (std::size_t f = 0; f < m.triangle.size(); f += 3) {
+    const auto among = [&](int first, int last) {
+      return std::all_of(&m.triangle[f], &m.triangle[f] + 3,
+                         [&](int v) { return v / kAlong >= first && v / kAlong <= last; });
+    };
+    const bool here = !hole && among(3, 4);
+    hole |= here;
+    if (!among(0, 1) && !here) kept.insert(kept.end(), &m.triangle[f], &m.triangle[f] + 3);
+  }
+  m.triangle = kept;
+  const Surface open = make_surface(m);
+  ASSERT_EQ(border_edges(open), 2 * kAlong + 3);
+  Surface sewn;
+  EXPECT_EQ(sew(open, 0.4 * open.unit(), sewn, {}), 2 * kAlong);
+  EXPECT_EQ(border_edges(sewn), 3);
+}
+
 TEST(Sew, NotWhereItIsTooWide) {
   const Surface open = torus_with_a_gap(9);
   Surface sewn;
@@ -115,6 +138,20 @@ TEST(Sew, ABodyThatIsCutLeadsAsOne) {
     EXPECT_NE(search.summary().find("sewn gaps"), std::string::npos) << search.summary();
     EXPECT_EQ(search.summary().find("wrapped"), std::string::npos) << search.summary();
   }
+}
+
+TEST(Sew, FinsAndDebrisBetweenPartsAreLeftAside) {
+  const auto shape = shapes::shuffled(shapes::creature(5), 3);
+  Random random(1);
+  damage::Damaged d = damage::whole(shape.mesh, shape.partner);
+  damage::add_fins(d, 100, random);
+  damage::remove_strips(d, 3, random);
+  damage::flip_faces(d, 0.2, random);
+  damage::finish(d, random);
+  const SearchSurface search(make_surface(d.mesh), {}, {});
+  EXPECT_NE(search.summary().find("tiny sheets aside"), std::string::npos) << search.summary();
+  EXPECT_NE(search.summary().find("sewn gaps"), std::string::npos) << search.summary();
+  EXPECT_EQ(search.summary().find("wrapped"), std::string::npos) << search.summary();
 }
 
 }  // namespace

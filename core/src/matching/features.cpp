@@ -26,7 +26,8 @@ void loosen(Features& f, const DistanceFields& fields, const Shortcuts& shortcut
 // How much each landmark may be relied on, by how far off its distances to the others are: one whose counterpart is
 // missing goes anywhere, and draws its neighbours along. The median, so that the rest is not blamed.
 std::vector<float> trust_of(const Matching& m, const Images& images) {
-  constexpr float kOff = 0.1f;    // units: more than poses do
+  // From there on it counts half or less. Smaller ones took what poses change for it: whole meshes were matched worse.
+  constexpr float kOff = 0.1f;    // units
   constexpr float kOrdinary = 4;  // times the median of all
   const int count = m.count();
   const auto median = [](std::vector<float> values) {

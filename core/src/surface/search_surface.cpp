@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "surface/simplify.h"
 #include "surface/welded_mesh.h"
 #include "surface/wrap.h"
+#include "util/disjoint_sets.h"
 
 namespace ga_symmetry {
 namespace {
@@ -82,32 +82,33 @@ int drop_scraps(const Surface& from, Surface& to, const Context& context) {
   return parts == 1 ? scraps : 0;
 }
 
-// Makes the ends of edges shorter than `least` one, as long as such edges are few. @return whether there were any
-bool without_short_edges(const Surface& from, double least, Surface& to, const Context& context) {
+// Makes the ends of edges shorter than `least` one, as long as such edges are few and the rest hangs together.
+// @return how many vertices went; 0 leaves `to` alone
+int without_short_edges(const Surface& from, double least, Surface& to, const Context& context) {
   constexpr double kFew = 0.01;  // of the edges
-  std::vector<int> root(from.vertices());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  int found = 0;
+  DisjointSets merged(from.vertices());
+  int found = 0, gone = 0;
   for (int c = 0; c < 3 * from.triangles(); ++c) {
     const int a = from.triangle[c], b = from.triangle[next_corner(c)];
     if (from.edge_length(a, b) >= least) continue;
     ++found;
-    const auto [low, high] = std::minmax({find(a), find(b)});
-    root[high] = low;
+    gone += merged.join(a, b);
   }
-  if (found == 0 || found > kFew * 3 * from.triangles()) return false;
-  const auto stays = [&](std::size_t f) {
-    const int a = find(from.triangle[3 * f]), b = find(from.triangle[3 * f + 1]), c = find(from.triangle[3 * f + 2]);
-    return a != b && b != c && c != a;
-  };
-  Surface merged = from;
-  for (int& v : merged.triangle) v = find(v);
-  to = faces_of(merged, stays, context);
-  return true;
+  if (found == 0 || found > kFew * 3 * from.triangles()) return 0;
+  Surface shrunk = from;
+  for (int& v : shrunk.triangle) v = merged.find(v);
+  Surface rest = faces_of(
+      shrunk,
+      [&](std::size_t f) {
+        const int *t = &shrunk.triangle[3 * f], a = t[0], b = t[1], c = t[2];
+        return a != b && b != c && c != a;
+      },
+      context);
+  int parts = 0;
+  face_parts(rest.triangle, rest.vertices(), parts);
+  if (parts != 1) return 0;
+  to = std::move(rest);
+  return gone;
 }
 
 double diagonal_of(const Surface& mesh) {
@@ -153,8 +154,10 @@ SearchSurface::SearchSurface(Surface of_mesh, const Options& options, const Cont
   // Fins and debris have rims, too, and nothing to be sewn to.
   constexpr double kDebris = 0.0005;  // of the area
   Surface trimmed, sewn;
-  const Surface& body = parts_ > 1 && without_scraps(mesh_, kDebris, trimmed, context) > 0 ? trimmed : mesh_;
-  const int stitches = parts_ > 1 ? sew(body, kGap * mesh_.unit(), sewn, context) : 0;
+  const int debris = parts_ > 1 ? without_scraps(mesh_, kDebris, trimmed, context) : 0;
+  const int stitches = parts_ > 1 ? sew(debris > 0 ? trimmed : mesh_, kGap * mesh_.unit(), sewn, context) : 0;
+  if (stitches > 0 && debris > 0)
+    done_.push_back("left " + std::to_string(debris) + (debris == 1 ? " tiny sheet aside" : " tiny sheets aside"));
   if (stitches > 0) done_.push_back("sewn gaps between parts with " + std::to_string(stitches) + " triangles");
   const Surface& whole = stitches > 0 ? sewn : mesh_;
   if (!lead(whole, vertices, context.part(0, 0.8))) wrap_all(whole, vertices, context.part(0, 0.8));
@@ -224,9 +227,11 @@ bool SearchSurface::lead(const Surface& mesh, int vertices, const Context& conte
   }
   // Edges as short as what float coordinates round: a front would go round and round on them.
   constexpr double kRounding = 1e-6;
-  if (Surface merged; without_short_edges(*surface, kRounding * surface->unit(), merged, context)) {
-    s = std::move(merged);
+  Surface shrunk;
+  if (const int gone = without_short_edges(*surface, kRounding * surface->unit(), shrunk, context); gone > 0) {
+    s = std::move(shrunk);
     surface = &s;
+    done.push_back("made points of edges as short as rounding, " + std::to_string(gone));
   }
   if (edge_lengths(*surface).first < kRounding * surface->unit()) return false;
   done_.insert(done_.end(), done.begin(), done.end());

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "ga_symmetry/errors.h"
+#include "util/disjoint_sets.h"
 
 namespace ga_symmetry {
 namespace {
@@ -161,7 +162,7 @@ class Border {
 };
 
 // Places on a border that are one by kSeam; the lower index stays. @return how many went
-int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, std::vector<int>& merged,
+int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, DisjointSets& merged,
                const Context& context) {
   const int n = static_cast<int>(position.size() / 3);
   const std::vector<int> corners = border_corners(triangle, n);
@@ -176,10 +177,6 @@ int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, 
     const auto length = static_cast<float>(std::sqrt(squared_distance(at(a), at(b))));
     for (int v : {a, b}) shortest[v] = std::min(shortest[v], length);
   }
-  const auto root = [&](int v) {
-    while (merged[v] != v) v = merged[v];
-    return v;
-  };
   int gone = 0;
   std::vector<int> near;
   for (std::size_t i = 0; i < border.places().size(); ++i) {
@@ -188,13 +185,10 @@ int weld_seams(const std::vector<double>& position, std::vector<int>& triangle, 
     border.within(at(a), kSeam * shortest[a], near);
     for (int b : near) {
       if (b <= a || squared_distance(at(a), at(b)) > std::pow(kSeam * shortest[b], 2)) continue;
-      const int x = root(a), y = root(b);
-      if (x == y) continue;
-      merged[std::max(x, y)] = std::min(x, y);
-      ++gone;
+      gone += merged.join(a, b);
     }
   }
-  for (int& v : triangle) v = root(v);
+  for (int& v : triangle) v = merged.find(v);
   return gone;
 }
 
@@ -388,18 +382,15 @@ WeldedMesh weld(const TriangleMesh& mesh, const Context& context) {
   std::vector<int> triangle(mesh.triangle.size());
   for (std::size_t c = 0; c < triangle.size(); ++c) triangle[c] = out.place[mesh.triangle[c]];
 
-  std::vector<int> merged(out.places());
-  std::iota(merged.begin(), merged.end(), 0);
+  DisjointSets merged(out.places());
   if (const int gone = weld_seams(out.position, triangle, merged, context)) {
     welded += gone;
     // Close up the places that are left, in their order.
     std::vector<int> index(out.places());
     int kept = 0;
     for (int p = 0; p < out.places(); ++p) {
-      int root = p;
-      while (merged[root] != root) root = merged[root];
-      if (root != p) {
-        index[p] = index[root];
+      if (const int first = merged.find(p); first != p) {
+        index[p] = index[first];
         continue;
       }
       std::copy_n(&out.position[3 * static_cast<std::size_t>(p)], 3, &out.position[3 * static_cast<std::size_t>(kept)]);
@@ -425,9 +416,10 @@ WeldedMesh weld(const TriangleMesh& mesh, const Context& context) {
   triangle.resize(3 * kept);
   // First: what follows splits one face of several on the same places, and the halves would lie on the rest.
   repeated += drop_repeated(triangle);
-  zero_area += dissolve_needles(out.position, triangle);
+  const int needles = dissolve_needles(out.position, triangle);
+  zero_area += needles;
   const int junctions = split_at_junctions(out.position, triangle, context);
-  repeated += drop_repeated(triangle);
+  if (needles > 0 || junctions > 0) repeated += drop_repeated(triangle);
   stop_at(0, context);
 
   out.triangle = std::move(triangle);
@@ -488,21 +480,13 @@ void keep_largest(WeldedMesh& mesh) {
 }
 
 std::vector<int> face_parts(const std::vector<int>& triangle, int places, int& count) {
-  std::vector<int> root(places);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
+  DisjointSets together(places);
   for (std::size_t i = 0; i < triangle.size(); i += 3)
-    for (int k = 1; k < 3; ++k) {
-      const int a = find(triangle[i]), b = find(triangle[i + k]);
-      root[std::max(a, b)] = std::min(a, b);
-    }
+    for (int k = 1; k < 3; ++k) together.join(triangle[i], triangle[i + k]);
   std::vector<int> label(places, -1), part(triangle.size() / 3);
   count = 0;
   for (std::size_t f = 0; f < part.size(); ++f) {
-    int& mine = label[find(triangle[3 * f])];
+    int& mine = label[together.find(triangle[3 * f])];
     if (mine < 0) mine = count++;
     part[f] = mine;
   }

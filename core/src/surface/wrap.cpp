@@ -14,7 +14,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <queue>
 #include <type_traits>
 #include <unordered_set>
@@ -22,6 +21,7 @@
 
 #include "ga_symmetry/errors.h"
 #include "surface/nearest_point.h"
+#include "util/disjoint_sets.h"
 
 namespace ga_symmetry {
 namespace {
@@ -204,19 +204,14 @@ int bridge_gaps(Grid& g, float level, const Context& context) {
   std::vector<std::pair<float, std::pair<int, int>>> by_width;
   for (const auto& [pair, width] : gap) by_width.push_back({width, pair});
   std::sort(by_width.begin(), by_width.end());
-  std::vector<int> root(count);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
+  DisjointSets together(count);
   int bridged = 0;
   std::vector<Point> filling;
   std::size_t joined = 0;  // those of by_width that are joined: all that are much narrower than the present one
   for (const auto& [width, pair] : by_width) {
     for (; joined < by_width.size() && by_width[joined].first * kMuchWider < width; ++joined)
-      root[find(by_width[joined].second.first)] = find(by_width[joined].second.second);
-    if (find(pair.first) == find(pair.second)) continue;
+      together.join(by_width[joined].second.first, by_width[joined].second.second);
+    if (together.find(pair.first) == together.find(pair.second)) continue;
     ++bridged;
     for (const Meeting& m : meetings[pair]) {
       if (m.width > kAsNear * width + g.spacing) continue;
