@@ -120,16 +120,18 @@ void recreate(const MapCost& cost, SampleMap& map) {
     float least = std::numeric_limits<float>::infinity();
     int best = i;
     for (int k = 0; k < count; ++k) {
+      float total = cost.unary()(i, k);
+      if (total >= least) continue;
+      if (orientation_weight > 0) total += orientation_weight * cost.orientation_error(around, k);
+      if (total >= least) continue;
+      total += continuity_weight * cost.continuity_error(around, k);
+      if (total >= least) continue;
       const float* image = sites.distance.row(k).data();
       for (int j = 0; j < m; ++j) to[j] = image[map[kept[j]]];
       for (int j = 0; slack && j < m; ++j) slack_to[j] = sites.slack(k, map[kept[j]]);
       const float error = distance_error(from.data(), to.data(), slack ? slack_from.data() : nullptr, slack_to.data(),
                                          weight.data(), m);
-      float total = distance_weight * error / static_cast<float>(m) + cost.unary()(i, k);
-      if (total >= least) continue;
-      if (orientation_weight > 0) total += orientation_weight * cost.orientation_error(around, k);
-      if (total >= least) continue;
-      total += continuity_weight * cost.continuity_error(around, k);
+      total += distance_weight * error / static_cast<float>(m);
       if (total < least) least = total, best = k;
     }
     map[i] = best;

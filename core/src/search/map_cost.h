@@ -90,7 +90,7 @@ class MapCost {
   };
   /// From one site towards another.
   const Direction& direction(int from, int to) const {
-    return direction_[static_cast<std::size_t>(from) * sites_.count() + to];
+    return direction_[static_cast<std::size_t>(to) * sites_.count() + from];
   }
 
  private:
@@ -100,7 +100,7 @@ class MapCost {
   SymmetryKind kind_;
   CostWeights weights_;
   Table distance_weight_, unary_;
-  std::vector<Direction> direction_;  // sites x sites: both in one cache line
+  std::vector<Direction> direction_;  // towards x from: many places are tried for one that sees the same few others
 };
 
 /// Sum over n distances of their capped relative squared errors.
