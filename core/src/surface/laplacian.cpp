@@ -36,8 +36,8 @@ Laplacian cotangent_laplacian(const Surface& s) {
 namespace {
 
 // Takes from the block what lies in the space of the columns before it. In pieces whose size does not depend on the
-// number of threads: nor do the sums.
-void orthogonalize(const Eigen::Ref<const Eigen::MatrixXf>& before, Eigen::MatrixXf& block, int threads) {
+// number of threads: nor do the sums. @return how much of each column that was: before.cols() x block.cols()
+Eigen::MatrixXf orthogonalize(const Eigen::Ref<const Eigen::MatrixXf>& before, Eigen::MatrixXf& block, int threads) {
   constexpr int kColumns = 96, kRows = 1024;
   const auto pieces = [](Eigen::Index size, int piece) { return static_cast<int>((size + piece - 1) / piece); };
   Eigen::MatrixXf part(before.cols(), block.cols());
@@ -50,6 +50,7 @@ void orthogonalize(const Eigen::Ref<const Eigen::MatrixXf>& before, Eigen::Matri
     const Eigen::Index first = Eigen::Index{i} * kRows, count = std::min<Eigen::Index>(kRows, before.rows() - first);
     block.middleRows(first, count).noalias() -= before.middleRows(first, count) * part;
   });
+  return part;
 }
 
 }  // namespace
@@ -78,22 +79,26 @@ Eigen::MatrixXf eigenfunctions(const Surface& s, int count, int threads, const C
     });
     return out;
   };
-  Eigen::MatrixXf space(n, size), inverted(n, size);
-  Random random(1);  // any vectors will do to start from
+  // Block Lanczos: what is inverted lies in the space of its own block, the one before and a new one, so that the
+  // operator in this basis is a band. What rounding adds of the others is taken away each time.
+  Eigen::MatrixXf space(n, size);
+  Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(size, size);  // the upper half
+  Random random(1);                                               // any vectors will do to start from
   Eigen::MatrixXf block(n, kBlock);
   for (int v = 0; v < n; ++v)
     for (int k = 0; k < kBlock; ++k) block(v, k) = static_cast<float>(draw_unit(random) - 0.5);
   block = root.cast<float>().asDiagonal() * block;
   for (int b = 0; b < blocks; ++b) {
     if (context.cancelled()) throw Cancelled();
-    for (int twice = 0; b > 0 && twice < 2; ++twice) orthogonalize(space.leftCols(b * kBlock), block, threads);
+    const int here = b * kBlock, end = here + kBlock, before = std::max(0, here - kBlock);
     const Eigen::HouseholderQR<Eigen::MatrixXf> basis(block);
-    space.middleCols(b * kBlock, kBlock) = basis.householderQ() * Eigen::MatrixXf::Identity(n, kBlock);
-    block = invert(space.middleCols(b * kBlock, kBlock));
-    inverted.middleCols(b * kBlock, kBlock) = block;
+    space.middleCols(here, kBlock) = basis.householderQ() * Eigen::MatrixXf::Identity(n, kBlock);
+    block = invert(space.middleCols(here, kBlock));
+    projected.block(before, here, end - before, kBlock) =
+        orthogonalize(space.middleCols(before, end - before), block, threads).cast<double>();
+    if (end < size) orthogonalize(space.leftCols(end), block, threads);
   }
-  const Eigen::MatrixXd projected = (space.transpose() * inverted).cast<double>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz((projected + projected.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(projected.transpose());  // reads the lower half
   const Eigen::MatrixXf most = ritz.eigenvectors().rightCols(count).rowwise().reverse().cast<float>();
   return root.cwiseInverse().cast<float>().asDiagonal() * (space * most);
 }
