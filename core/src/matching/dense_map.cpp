@@ -20,11 +20,11 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
                      const Context& context, const Body& body) {
   constexpr int kBlock = 256;
   const int n = surface.vertices();
-  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int worker) {
-    if (worker == 0) context.advance(static_cast<double>(block) * kBlock / n);  // the calling thread
+  parallel_blocks(n, kBlock, threads, [&](int begin, int end, int worker) {
+    if (worker == 0) context.advance(static_cast<double>(begin) / n);  // the calling thread
     if (context.cancelled()) throw Cancelled();
     Matcher matcher(surface, features, weighting);
-    for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+    for (int v = begin; v < end; ++v) {
       matcher.look_at(v);
       body(v, matcher);
     }
@@ -73,9 +73,9 @@ std::vector<float> smooth_differences(const Surface& surface, const Features& fe
         Row(features.of(features.target, partner[v]), dimension) - Row(features.of(features.source, v), dimension);
   constexpr int kBlock = 256;
   for (int round = 0; round < kRounds; ++round) {
-    parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
+    parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
       if (context.cancelled()) throw Cancelled();
-      for (int v = block * kBlock; v < std::min(n, (block + 1) * kBlock); ++v) {
+      for (int v = begin; v < end; ++v) {
         auto mean = row(next, v);
         mean = row(now, v);
         int count = 1;

@@ -65,8 +65,7 @@ Features make_tight_features(const Matching& m, const Images& images, int thread
   if (m.reflection) f.trust.insert(f.trust.end(), f.trust.begin(), f.trust.end());
   const float scale = 1 / m.unit();
   constexpr int kBlock = 64;  // transposed in blocks that fit the cache
-  parallel_for((n + kBlock - 1) / kBlock, threads, [&](int block, int) {
-    const int begin = block * kBlock, end = std::min(n, begin + kBlock);
+  parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
     for (int i = 0; i < landmarks; ++i)
       for (int v = begin; v < end; ++v) {
         float* source = &f.source[static_cast<std::size_t>(v) * f.dimension];

@@ -95,11 +95,10 @@ SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool 
   for (int p = 0; p < n; ++p) normal[p] = Vector(sums[p].data()).normalized();
   std::vector<Vector> image(n), image_normal(n);
   constexpr int kBlock = 1024;
-  const int blocks = (n + kBlock - 1) / kBlock;
   const auto for_each_place = [&](const auto& body) {
-    parallel_for(blocks, threads, [&](int block, int) {
+    parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
       if (context.cancelled()) throw Cancelled();
-      for (int p = block * kBlock; p < std::min(n, (block + 1) * kBlock); ++p) body(p);
+      for (int p = begin; p < end; ++p) body(p);
     });
   };
   for_each_place([&](int p) {

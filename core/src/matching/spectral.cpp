@@ -10,6 +10,7 @@
 #include "matching/face_point.h"
 #include "surface/laplacian.h"
 #include "surface/neighbors.h"
+#include "util/multiply.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -19,23 +20,29 @@ namespace {
 // took as long as all before them, for 2 % of the error.
 constexpr std::array kFunctions{40, 60, 90, 120, 160};
 
+constexpr int kVertices = 256;  // that a thread takes at a time
+
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Rows at_points(const Rows& of_vertex, const std::vector<SurfacePoint>& points) {
+// What the functions are at the points, times the vertices' weights.
+Rows weighted_at_points(const Rows& of_vertex, const std::vector<SurfacePoint>& points, const Eigen::VectorXf& weights,
+                        int threads) {
   Rows out(of_vertex.rows(), of_vertex.cols());
-  for (Eigen::Index v = 0; v < out.rows(); ++v) {
-    const auto& [corner, weight] = points[v];
-    out.row(v) = static_cast<float>(weight[0]) * of_vertex.row(corner[0]);
-    for (int k = 1; k < 3; ++k)
-      if (weight[k] != 0) out.row(v) += static_cast<float>(weight[k]) * of_vertex.row(corner[k]);
-  }
+  parallel_blocks(static_cast<int>(out.rows()), kVertices, threads, [&](int begin, int end, int) {
+    for (int v = begin; v < end; ++v) {
+      const auto& [corner, weight] = points[v];
+      out.row(v) = static_cast<float>(weight[0]) * of_vertex.row(corner[0]);
+      for (int k = 1; k < 3; ++k)
+        if (weight[k] != 0) out.row(v) += static_cast<float>(weight[k]) * of_vertex.row(corner[k]);
+      out.row(v) *= weights[v];
+    }
+  });
   return out;
 }
 
 }  // namespace
 
 SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, const Context& context) {
-  constexpr int kVertices = 256;
   const Surface& surface = m.surface;
   const int n = surface.vertices();
   const Rows functions = eigenfunctions(surface, kFunctions.back(), threads, context);
@@ -45,9 +52,11 @@ SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, c
   for (const int k : kFunctions) {
     if (k > functions.cols()) break;
     const Rows from = functions.leftCols(k);
-    Eigen::MatrixXf matrix = from.transpose() * (share.asDiagonal() * at_points(from, map.point));
+    Eigen::MatrixXf matrix(k, k);
+    multiply(from.transpose(), weighted_at_points(from, map.point, share, threads), matrix, threads);
     if (m.reflection) matrix = (matrix + matrix.transpose()).eval() / 2;
-    const Rows to = from * matrix.transpose();
+    Rows to(n, k);
+    multiply(from, matrix.transpose(), to, threads);
     const std::vector<float> even(k, 1.f);
     const auto error = [&](int v, int c) { return (from.row(v) - to.row(c)).squaredNorm(); };
     const auto descend = [&](int v, int c, float& least) {
@@ -62,9 +71,9 @@ SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, c
       return c;
     };
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
-    parallel_for((n + kVertices - 1) / kVertices, threads, [&](int block, int) {
+    parallel_blocks(n, kVertices, threads, [&](int begin, int end, int) {
       if (context.cancelled()) throw Cancelled();
-      for (int v = block * kVertices; v < std::min(n, (block + 1) * kVertices); ++v) {
+      for (int v = begin; v < end; ++v) {
         float least;
         int best = descend(v, before[v], least);
         for_each_neighbor(surface, v, [&](int w) {

@@ -49,11 +49,10 @@ std::vector<double> transferred_shape(const TriangleMesh& before, const Triangle
   // Per vertex of the surface: how its partner point moved, turned to its own side.
   std::vector<Vector> received(s.vertices(), Vector::Zero());
   constexpr int kBlock = 256;
-  const int blocks = (s.vertices() + kBlock - 1) / kBlock;
-  parallel_for(blocks, threads, [&](int block, int thread) {
+  parallel_blocks(s.vertices(), kBlock, threads, [&](int begin, int end, int thread) {
     if (context.cancelled()) throw Cancelled();
-    if (thread == 0) context.report(static_cast<double>(block) / blocks, "mirroring");
-    for (int v = block * kBlock; v < std::min(s.vertices(), (block + 1) * kBlock); ++v) {
+    if (thread == 0) context.report(static_cast<double>(begin) / s.vertices(), "mirroring");
+    for (int v = begin; v < end; ++v) {
       const int w = shape.partners.partner[v];
       if (w < 0) continue;
       const LocalMotion motion = local_motion(s, image, v, shape.has_sides);

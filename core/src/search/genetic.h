@@ -103,9 +103,9 @@ void evaluate(const Problem& problem, Population<Genome>& population, const Gene
   for (auto& individual : population)
     if (!individual.evaluated) fresh.push_back(&individual);
   const int count = static_cast<int>(fresh.size());
-  parallel_for((count + options.grain - 1) / options.grain, options.threads, [&](int block, int worker) {
+  parallel_blocks(count, options.grain, options.threads, [&](int begin, int end, int worker) {
     if (context.cancelled()) throw Cancelled();
-    for (int i = block * options.grain; i < std::min(count, (block + 1) * options.grain); ++i) {
+    for (int i = begin; i < end; ++i) {
       fresh[i]->cost = problem.evaluate(fresh[i]->genome, worker);
       fresh[i]->evaluated = true;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
+#include "util/multiply.h"
 #include "util/parallel.h"
 #include "util/random.h"
 
@@ -38,17 +39,11 @@ namespace {
 // Takes from the block what lies in the space of the columns before it. In pieces whose size does not depend on the
 // number of threads: nor do the sums. @return how much of each column that was: before.cols() x block.cols()
 Eigen::MatrixXf orthogonalize(const Eigen::Ref<const Eigen::MatrixXf>& before, Eigen::MatrixXf& block, int threads) {
-  constexpr int kColumns = 96, kRows = 1024;
-  const auto pieces = [](Eigen::Index size, int piece) { return static_cast<int>((size + piece - 1) / piece); };
   Eigen::MatrixXf part(before.cols(), block.cols());
-  parallel_for(pieces(before.cols(), kColumns), threads, [&](int i, int) {
-    const Eigen::Index first = Eigen::Index{i} * kColumns,
-                       count = std::min<Eigen::Index>(kColumns, before.cols() - first);
-    part.middleRows(first, count).noalias() = before.middleCols(first, count).transpose() * block;
-  });
-  parallel_for(pieces(before.rows(), kRows), threads, [&](int i, int) {
-    const Eigen::Index first = Eigen::Index{i} * kRows, count = std::min<Eigen::Index>(kRows, before.rows() - first);
-    block.middleRows(first, count).noalias() -= before.middleRows(first, count) * part;
+  multiply(before.transpose(), block, part, threads);
+  constexpr int kRows = 1024;
+  parallel_blocks(static_cast<int>(before.rows()), kRows, threads, [&](int first, int end, int) {
+    block.middleRows(first, end - first).noalias() -= before.middleRows(first, end - first) * part;
   });
   return part;
 }
@@ -100,7 +95,9 @@ Eigen::MatrixXf eigenfunctions(const Surface& s, int count, int threads, const C
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(projected.transpose());  // reads the lower half
   const Eigen::MatrixXf most = ritz.eigenvectors().rightCols(count).rowwise().reverse().cast<float>();
-  return root.cwiseInverse().cast<float>().asDiagonal() * (space * most);
+  Eigen::MatrixXf out(n, count);
+  multiply(root.cwiseInverse().cast<float>().asDiagonal() * space, most, out, threads);
+  return out;
 }
 
 }  // namespace ga_symmetry

@@ -40,8 +40,8 @@ std::vector<SurfacePoint> locate(const Surface& mesh, const Surface& s, int thre
   const double away = kOtherSide * std::sqrt(2 * s.area / s.triangles());
   std::vector<SurfacePoint> out(mesh.vertices());
   constexpr int kBlock = 1024;
-  parallel_for((mesh.vertices() + kBlock - 1) / kBlock, threads, [&](int block, int) {
-    for (int p = block * kBlock; p < std::min(mesh.vertices(), (block + 1) * kBlock); ++p) {
+  parallel_blocks(mesh.vertices(), kBlock, threads, [&](int begin, int end, int) {
+    for (int p = begin; p < end; ++p) {
       const Vector at(mesh.point(p)), normal(normals[p].data());
       std::array<Eigen::Index, kNear> near{};
       std::array<double, kNear> squared{};

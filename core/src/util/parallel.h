@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one way to use several threads.
 #pragma once
+#include <algorithm>
 #include <functional>
 
 namespace ga_symmetry {
@@ -13,5 +14,15 @@ int thread_count(int threads);
 /// a time; results must go to slots indexed by i, so that the number of threads never changes them.
 /// The first exception that a body throws stops the hand-out and is rethrown here.
 void parallel_for(int count, int threads, const std::function<void(int i, int worker)>& body);
+
+/// The same for items that are too small to be handed out alone: body(begin, end, worker) for [0, count) in pieces of
+/// `block` >= 1, the last one what is left.
+template <class Body>
+void parallel_blocks(int count, int block, int threads, const Body& body) {
+  parallel_for((count + block - 1) / block, threads, [&](int i, int worker) {
+    const int begin = i * block;
+    body(begin, std::min(count, begin + block), worker);
+  });
+}
 
 }  // namespace ga_symmetry
