@@ -5,6 +5,7 @@
 
 #include "baselines/features.h"
 #include "baselines/pair_search.h"
+#include "baselines/reversing.h"
 #include "baselines/spectral.h"
 #include "baselines/spectrum.h"
 #include "ga_symmetry/errors.h"
@@ -121,6 +122,14 @@ MethodOutput refined(const MethodInput& in, int samples, int step, const Context
   return scene.output(zoomout(scene.surface, spectrum, starts, scene.references, options, in.threads, context));
 }
 
+MethodOutput reversing(const MethodInput& in, const Context& context) {
+  const Scene scene(in);
+  if (!scene.surface.orientable) throw InvalidMesh("the surface has one side only: nothing reverses its orientation");
+  const Spectrum spectrum = laplacian_spectrum(scene.surface, kFunctions);
+  const FunctionalMap start = reversing_map(scene.surface, spectrum, {});
+  return scene.output(zoomout(scene.surface, spectrum, {start}, {}, {}, in.threads, context));
+}
+
 // Spectral refinement of what the joint search found.
 MethodOutput joint_refined(const MethodInput& in, const Context& context) {
   const MethodOutput joint = search(in, {}, context);
@@ -174,6 +183,8 @@ const std::vector<Method>& methods() {
       };
       list.push_back(automatic);
     }
+    list.push_back(
+        {"reversing-zoomout-auto", "ZoomOut of the functional map that reverses orientation", false, false, reversing});
     return list;
   }();
   return all;

@@ -18,7 +18,8 @@ Eigen::VectorXd average_geodesic_distance(const Surface& surface, const Geodesic
   return (samples.field.transpose() * area).cast<double>() / (surface.area * surface.unit());
 }
 
-// Energies and their width are those of Aubry et al.: evenly spaced in the logarithm of the eigenvalues.
+}  // namespace
+
 Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, int energies) {
   const Eigen::Index used = spectrum.value.size() - 1;  // the constant function says nothing
   const Eigen::ArrayXd log_value = spectrum.value.tail(used).array().max(1e-6).log();
@@ -33,8 +34,6 @@ Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, int energies) {
   }
   return out;
 }
-
-}  // namespace
 
 Eigen::MatrixXd symmetry_features(const Surface& surface, const GeodesicSolver& solver, const Spectrum& spectrum,
                                   int threads) {

@@ -10,6 +10,10 @@
 
 namespace ga_symmetry::baselines {
 
+/// Wave kernel signatures: vertices x energies. Energies and their width are those of Aubry, Schlickewei & Cremers
+/// 2011: evenly spaced in the logarithm of the eigenvalues. @param energies  >= 2
+Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, int energies);
+
 /// vertices x features: the average geodesic distance, and the wave kernel signature at 100 energies. Each feature has
 /// mean 0 and the whole of the signature counts as much as the distance.
 /// Source: Kim, Lipman, Chen & Funkhouser 2010 (average geodesic distance); Aubry, Schlickewei & Cremers 2011 (wave

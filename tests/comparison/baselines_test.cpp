@@ -11,6 +11,7 @@
 
 #include "baselines/features.h"
 #include "baselines/pair_search.h"
+#include "baselines/reversing.h"
 #include "baselines/spectral.h"
 #include "dataset.h"
 #include "durations.h"
@@ -129,6 +130,23 @@ TEST(Spectral, SignsOfAnExactSymmetryAndTheirRefinement) {
   options.samples = 800;
   const auto refined = zoomout(surface, spectrum, {to_functional_map(spectrum, vertices, partner, 12)}, {}, options, 0);
   EXPECT_LT(misses(refined), 0.05);
+}
+
+TEST(Spectral, TheReversingMapOfAnExactSymmetry) {
+  const shapes::Symmetric shape = shapes::shuffled(shapes::creature(4), 3);
+  const Surface surface = make_surface(shape.mesh);
+  const Spectrum spectrum = laplacian_spectrum(surface, 60);
+  const FunctionalMap map = reversing_map(surface, spectrum, {});
+  const Eigen::Index k = map.rows();
+  EXPECT_LT((map.transpose() * map - FunctionalMap::Identity(k, k)).norm(), 1e-9);
+  EXPECT_GT(reversed_share(surface, to_partners(spectrum, map, 0)), 0.9);
+  ZoomOutOptions options;
+  options.functions = 60;
+  options.samples = 0;
+  const std::vector<int> partner = zoomout(surface, spectrum, {map}, {}, options, 0);
+  int misses = 0;
+  for (int v = 0; v < surface.vertices(); ++v) misses += partner[v] != shape.partner[v];
+  EXPECT_LT(misses, 0.01 * surface.vertices());
 }
 
 TEST(Methods, EachFindsMostPartnersOfAnExactSymmetry) {
