@@ -20,9 +20,10 @@ plt.rcParams.update({"font.size": 10, "axes.grid": True, "grid.alpha": 0.3, "axe
 # One colour and mark a method wherever it appears; -auto is the same with a dashed line and a hollow mark.
 COLORS = {"naive": "#7f7f7f", "kdtree": "#000000", "pairs-squared": "#e377c2", "pairs-linear": "#9467bd",
           "features": "#8c564b", "spectral": "#ff7f0e", "zoomout": "#2ca02c", "zoomout-full": "#17becf",
+          "reversing-zoomout": "#bcbd22",
           "joint": "#d62728", "joint-zoomout": "#1f77b4"}
 MARKS = {"naive": "s", "kdtree": "x", "pairs-squared": "v", "pairs-linear": "^", "features": "P", "spectral": "D",
-         "zoomout": "h", "zoomout-full": "H", "joint": "o", "joint-zoomout": "*"}
+         "zoomout": "h", "zoomout-full": "H", "reversing-zoomout": "p", "joint": "o", "joint-zoomout": "*"}
 
 
 def split_name(method):

@@ -19,7 +19,7 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::string truth, output;
   comparison::Plan plan{{"naive", "kdtree", "pairs-squared", "pairs-linear", "features", "spectral", "zoomout", "joint",
-                         "joint-zoomout", "spectral-auto", "zoomout-auto", "joint-auto"},
+                         "joint-zoomout", "spectral-auto", "zoomout-auto", "reversing-zoomout-auto", "joint-auto"},
                         {1, 2, 3}};
 };
 

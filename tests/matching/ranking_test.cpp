@@ -75,16 +75,22 @@ TEST(WronglyTurned, ReflectionsTurnFacesOver) {
   const std::vector<int>& truth = s.of.shape.partner;
   std::vector<int> itself(truth.size()), one_place(truth.size(), 5);
   for (std::size_t v = 0; v < itself.size(); ++v) itself[v] = static_cast<int>(v);
-  EXPECT_EQ(wrongly_turned(s.matching(true), truth), 0);
-  EXPECT_EQ(wrongly_turned(s.matching(false), truth), 1);
-  EXPECT_EQ(wrongly_turned(s.matching(true), itself), 1);
-  EXPECT_EQ(wrongly_turned(s.matching(true), one_place), 0) << "what has no area has no side";
+  const auto turned = [&](bool reflection, const std::vector<int>& partner) {
+    return wrongly_turned(s.matching(reflection), {partner, std::vector<float>(partner.size(), 0.001f)});
+  };
+  EXPECT_EQ(turned(true, truth), 0);
+  EXPECT_EQ(turned(false, truth), 1);
+  EXPECT_EQ(turned(true, itself), 1);
+  EXPECT_EQ(turned(true, one_place), 0) << "what has no area has no side";
   // One side by the truth, the other stays: half of the area.
   const DistanceFields sides = s.of.solver.fields({s.of.shape.pair[0], s.of.shape.pair[1]}, 1);
-  std::vector<int> half = truth;
-  for (std::size_t v = 0; v < half.size(); ++v)
-    if (sides(0, v) < sides(1, v)) half[v] = static_cast<int>(v);
+  Probes half{truth, std::vector<float>(truth.size(), 0.001f)};
+  for (std::size_t v = 0; v < truth.size(); ++v)
+    if (sides(0, v) < sides(1, v)) half.partner[v] = static_cast<int>(v);
   EXPECT_NEAR(wrongly_turned(s.matching(true), half), 0.5, 0.1);
+  for (std::size_t v = 0; v < truth.size(); ++v)
+    if (half.partner[v] == static_cast<int>(v)) half.error[v] = 0.02f;
+  EXPECT_EQ(wrongly_turned(s.matching(true), half), 0) << "what has no counterpart has no side";
 }
 
 TEST(SameSymmetry, ForgivesNoiseAndTellsMapsApart) {

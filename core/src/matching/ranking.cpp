@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ga_symmetry/errors.h"
-#include "matching/refinement.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -22,6 +21,9 @@ constexpr double kTurned = 10;  // times its share of the surface: how much what
 // How far off distances around a reference are, on average, where it goes elsewhere: more than lies between samples,
 // and between sites before refinement.
 constexpr double kElsewhere = 0.15, kElsewhereAtSites = 0.2;  // units
+// Squared distance, in units, by which a place is off that has no counterpart: it costs no more, and says nothing of
+// the rest.
+constexpr float kLost = 0.01f;
 constexpr double kClose = 1.5;  // times the best score: refinement may still change the order
 
 // How often a map over samples must be applied to come back; 0 if it does not within kMaxOrder.
@@ -120,11 +122,10 @@ namespace {
 
 // @param probes  of the sites' vertices
 double disagreement_by(const Matching& m, const Sites& sites, const Probes& probes) {
-  constexpr float kCap = 0.01f;  // what is lost or added on one side says nothing of the rest
   constexpr double kDescriptors = 0.15, kPlainlyMoved = 0.8;
   double error = 0, moved = 0, unlike = 0;
   for (int k = 0; k < sites.count(); ++k) {
-    error += std::min(kCap, probes.error[k]);
+    error += std::min(kLost, probes.error[k]);
     const int partner = probes.partner[k];
     moved += moved_share(std::pow(sites.field(k, partner) / m.surface.unit(), 2));
     const auto difference = sites.descriptor.row(k) - sites.descriptor.row(sites.nearest[partner]);
@@ -167,7 +168,8 @@ bool same_symmetry(const Matching& m, const Sites& sites, const Images& a, const
   return apart < kSame * m.surface.unit() * sites.samples;
 }
 
-double wrongly_turned(const Matching& m, const std::vector<int>& partner) {
+double wrongly_turned(const Matching& m, const Probes& probes) {
+  const std::vector<int>& partner = probes.partner;
   const Surface& s = m.surface;
   const auto at = [&](int v) { return Eigen::Vector3d(s.point(v)); };
   std::vector<Eigen::Vector3d> normal(s.vertices(), Eigen::Vector3d::Zero());
@@ -180,6 +182,7 @@ double wrongly_turned(const Matching& m, const std::vector<int>& partner) {
   double wrong = 0, all = 0;
   for (int f = 0; f < s.triangles(); ++f) {
     const int* v = &s.triangle[3 * static_cast<std::size_t>(f)];
+    if (std::max({probes.error[v[0]], probes.error[v[1]], probes.error[v[2]]}) >= kLost) continue;
     const int a = partner[v[0]], b = partner[v[1]], c = partner[v[2]];
     const double along = turn(a, b, c).dot(normal[a] + normal[b] + normal[c]);
     if (along == 0) continue;
@@ -228,7 +231,7 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     if (m.surface.orientable) {
       const Probes probes = match_probes(m, c.images, all);
       if (refined) c.score = disagreement_by(m, sites, of_sites(sites, probes));
-      c.score *= 1 + kTurned * wrongly_turned(m, probes.partner);
+      c.score *= 1 + kTurned * wrongly_turned(m, probes);
     } else if (refined) {
       c.score = disagreement(m, sites, c.images);
     }

@@ -6,6 +6,7 @@
 #include "ga_symmetry/context.h"
 #include "ga_symmetry/result.h"
 #include "matching/matching.h"
+#include "matching/refinement.h"
 #include "search/joint.h"
 #include "search/sites.h"
 
@@ -38,9 +39,10 @@ Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& refe
 double disagreement(const Matching& matching, const Sites& sites, const Images& images);
 
 /// Share of the surface, by area, whose image lies wrong side up: a reflection turns faces over, a rotation does not.
-/// Half flips and maps from front to back have much of it, whatever distances say.
-/// @param partner  of all vertices @return  [0, 1]
-double wrongly_turned(const Matching& matching, const std::vector<int>& partner);
+/// Half flips and maps from front to back have much of it, whatever distances say. What has no counterpart, and goes
+/// somewhere near its rim, is left out of both.
+/// @param probes  of all vertices @return  [0, 1]
+double wrongly_turned(const Matching& matching, const Probes& probes);
 
 /// Whether two maps take the samples to the same places, but for noise.
 bool same_symmetry(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
