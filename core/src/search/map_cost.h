@@ -100,7 +100,7 @@ class MapCost {
   SymmetryKind kind_;
   CostWeights weights_;
   Table distance_weight_, unary_;
-  std::vector<Direction> direction_;  // towards x from: many places are tried for one that sees the same few others
+  std::vector<Direction> direction_;  // towards x from: all that is tried for a sample looks at the same few
 };
 
 /// Sum over n distances of their capped relative squared errors.
