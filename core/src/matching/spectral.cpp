@@ -2,7 +2,6 @@
 #include "matching/spectral.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <array>
 #include <vector>
 
