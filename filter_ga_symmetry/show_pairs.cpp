@@ -109,7 +109,7 @@ FilterOutputs apply(const FilterRun& run) {
     vcg::tri::UpdateBounding<CMeshO>::Box(drawn);
   }
   run.log("Drawn: " + std::to_string(pairs.size()) + " pairs, an axis of " + std::to_string(axis.size()) +
-          " lines with " + std::to_string(points) + " points");
+          (axis.size() == 1 ? " line with " : " lines with ") + std::to_string(points) + " points");
   if (run.parameters.getBool("axis") && !has_sides) run.warn("Warning: a rotation has no axis line");
   return {{"pairs", static_cast<int>(pairs.size())}, {"axis_lines", static_cast<int>(axis.size())}};
 }

@@ -281,7 +281,7 @@ case $case in
     # Every end is a vertex of the mesh.
     table out.ply | awk '{ print $1, $2, $3 }' | sort -u > vertices
     table links.ply | awk '{ print $1, $2, $3 }' | sort -u | comm -23 - vertices | grep -q . && fail "a link ends nowhere"
-    grep -q "an axis of 1 lines" log || fail "the axis is not one line: $(grep 'an axis of' log | head -n 1)"
+    grep -q "an axis of 1 line " log || fail "the axis is not one line: $(grep 'an axis of' log | head -n 1)"
     table axis.ply > axis
     # Points of the true axis: between vertices that are their own partners, or nearly.
     awk 'FILENAME == ARGV[1] && FNR == 2 { n = $1; next }
@@ -368,7 +368,7 @@ case $case in
     mv out.ply before.ply
     rm ./*.mlx
     "$tool" find before.ply --refs "$refs" -o known.csv
-    awk -v l="$l" '!body { print; if ($2 == "vertex") n = $3; body = $1 == "end_header"; next }
+    awk -v l="$l" 'BEGIN { k = 0 } !body { print; if ($2 == "vertex") n = $3; body = $1 == "end_header"; next }
       k < n { x[k] = $1; y[k] = $2; z[k] = $3; $1 = $2 = $3 = ""; rest[k++] = $0; if (k < n) next
         for (v = 0; v < n; ++v) {
           t = ((x[v]-x[l])^2 + (y[v]-y[l])^2 + (z[v]-z[l])^2) / 400; s = t < 1 ? 1 + 0.2 * (1 - t)^2 : 1
