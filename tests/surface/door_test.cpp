@@ -136,6 +136,29 @@ TEST(Door, WeldsASoupOfTriangles) {
   }
 }
 
+// Whatever the order of a large file, what is near on the surface is near in memory.
+TEST(Door, ForgetsTheOrderOfALargeMesh) {
+  const TriangleMesh mesh = shapes::sphere(240, 240);
+  std::vector<int> to;
+  const Surface ordered = make_surface(mesh), s = make_surface(shapes::shuffled(mesh, 1, &to));
+  EXPECT_EQ(s.position, ordered.position);
+  EXPECT_EQ(s.triangle, ordered.triangle);
+  double apart = 0;
+  for (std::size_t c = 0; c < s.triangle.size(); c += 3) apart += std::abs(s.triangle[c] - s.triangle[c + 1]);
+  EXPECT_LT(apart / s.triangles(), 0.02 * s.vertices());  // a third of them in a random order
+  for (int v = 0; v < mesh.vertices(); ++v) ASSERT_EQ(s.surface_vertex[to[v]], ordered.surface_vertex[v]);
+}
+
+// All of it but one part falls into one cell of the curve.
+TEST(Door, WeldsALargeSoupBesideSomethingFar) {
+  const TriangleMesh mesh = shapes::sphere(120, 120);
+  TriangleMesh far = shapes::sphere();
+  for (double& x : far.position) x += 1e5;
+  const Surface s = make_surface(shapes::joined(soup_of(mesh), far));
+  EXPECT_EQ(s.vertices(), mesh.vertices() + far.vertices());
+  EXPECT_TRUE(s.closed);
+}
+
 TEST(Door, DropsRepeatedAndZeroAreaFaces) {
   const TriangleMesh sphere = shapes::sphere();
   TriangleMesh mesh = with_face(sphere.triangle[1], sphere.triangle[2], sphere.triangle[0]);

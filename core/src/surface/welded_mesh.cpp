@@ -28,8 +28,6 @@ constexpr double kZeroArea = 1e-9;
 // anyone models, far above what a text file of six digits rounds.
 constexpr double kSeam = 0.01;
 
-using Point = std::array<double, 3>;
-
 // Twice the area, squared.
 double squared_area(const double* a, const double* b, const double* c) {
   const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -75,22 +73,48 @@ std::vector<double> normalized(const TriangleMesh& mesh, double& size) {
   return out;
 }
 
-struct Hash {
-  std::size_t operator()(const Point& p) const {
-    std::uint64_t h = 0;
-    for (double x : p) {
-      std::uint64_t bits;
-      static_assert(sizeof bits == sizeof x);
-      std::copy_n(reinterpret_cast<const char*>(&x), sizeof x, reinterpret_cast<char*>(&bits));
-      h = (h ^ bits) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h;
-  }
-};
-
 void stop_at(std::size_t i, const Context& context) {
   if (i % 65536 == 0 && context.cancelled()) throw Cancelled();
+}
+
+// The vertices that have a place, along a curve that fills space (Morton 1966); those of equal coordinates beside each
+// other, the lowest first.
+std::vector<int> along_curve(const std::vector<double>& position, const std::vector<int>& place) {
+  constexpr unsigned kBits = 10;      // per axis
+  const auto spread = [](double x) {  // its bits, two zeros between each two
+    auto bits = static_cast<std::uint32_t>(x * ((1 << kBits) - 1));
+    bits = (bits | bits << 16) & 0x030000ff;
+    bits = (bits | bits << 8) & 0x0300f00f;
+    bits = (bits | bits << 4) & 0x030c30c3;
+    return (bits | bits << 2) & 0x09249249;
+  };
+  const auto at = [&](int v) { return &position[3 * static_cast<std::size_t>(v)]; };
+  std::vector<std::pair<std::uint32_t, int>> spots;
+  spots.reserve(place.size());
+  for (int v = 0; v < static_cast<int>(place.size()); ++v)
+    if (place[v] >= 0) spots.push_back({spread(at(v)[0]) | spread(at(v)[1]) << 1 | spread(at(v)[2]) << 2, v});
+  std::sort(spots.begin(), spots.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const double *p = at(a.second), *q = at(b.second);
+    return std::tie(p[0], p[1], p[2], a.second) < std::tie(q[0], q[1], q[2], b.second);
+  });
+  std::vector<int> out;
+  out.reserve(spots.size());
+  for (const auto& spot : spots) out.push_back(spot.second);
+  return out;
+}
+
+// Faces in the order of their lowest places.
+void sort_faces(std::vector<int>& triangle, int places) {
+  const auto lowest = [&](std::size_t f) {
+    return std::min({triangle[3 * f], triangle[3 * f + 1], triangle[3 * f + 2]});
+  };
+  std::vector<int> at(places + 1, 0), sorted(triangle.size());
+  for (std::size_t f = 0; f < triangle.size() / 3; ++f) ++at[lowest(f) + 1];
+  std::partial_sum(at.begin(), at.end(), at.begin());
+  for (std::size_t f = 0; f < triangle.size() / 3; ++f)
+    std::copy_n(&triangle[3 * f], 3, &sorted[3 * static_cast<std::size_t>(at[lowest(f)]++)]);
+  triangle = std::move(sorted);
 }
 
 std::uint64_t edge_key(int a, int b) {
@@ -357,30 +381,35 @@ WeldedMesh weld(const TriangleMesh& mesh, const Context& context) {
   double size;
   const std::vector<double> position = normalized(mesh, size);
   stop_at(0, context);
-  int unused = 0, welded = 0, zero_area = 0, repeated = 0;
+  int welded = 0, zero_area = 0, repeated = 0;
   const int n = mesh.vertices();
   out.place.assign(n, -1);
   for (int v : mesh.triangle) out.place[v] = 0;
-  std::unordered_map<Point, int, Hash> at;
-  at.reserve(n);
-  for (int v = 0; v < n; ++v) {
-    stop_at(v, context);
-    if (out.place[v] < 0) {
-      ++unused;
-      continue;
-    }
-    const double* p = &position[3 * static_cast<std::size_t>(v)];
-    const auto [it, fresh] = at.try_emplace(Point{p[0], p[1], p[2]}, out.places());
-    out.place[v] = it->second;
-    if (!fresh) {
+  std::vector<int> order = along_curve(position, out.place), twin(n, -1);  // twin: the first of the same coordinates
+  const int unused = n - static_cast<int>(order.size());
+  const auto at = [&](int v) { return &position[3 * static_cast<std::size_t>(v)]; };
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool again = i > 0 && std::equal(at(order[i]), at(order[i]) + 3, at(order[i - 1]));
+    twin[order[i]] = again ? twin[order[i - 1]] : order[i];
+  }
+  // In the order of the file, every pass over a large mesh would fetch its neighbours from all over the memory. What
+  // fits into the cache stays as it is.
+  constexpr int kFits = 50000;
+  if (n <= kFits) std::sort(order.begin(), order.end());
+  for (const int v : order) {
+    if (twin[v] != v) {
+      out.place[v] = out.place[twin[v]];
       ++welded;
       continue;
     }
-    out.position.insert(out.position.end(), p, p + 3);
+    out.place[v] = out.places();
+    out.position.insert(out.position.end(), at(v), at(v) + 3);
     out.vertex.push_back(v);
   }
+  stop_at(0, context);
   std::vector<int> triangle(mesh.triangle.size());
   for (std::size_t c = 0; c < triangle.size(); ++c) triangle[c] = out.place[mesh.triangle[c]];
+  if (n > kFits) sort_faces(triangle, out.places());
 
   DisjointSets merged(out.places());
   if (const int gone = weld_seams(out.position, triangle, merged, context)) {
