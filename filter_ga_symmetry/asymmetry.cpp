@@ -85,6 +85,7 @@ Filter asymmetry_filter() {
           "compute_asymmetry_per_vertex",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY,
           parameters,
           apply};
 }

@@ -71,12 +71,13 @@ RichParameterList FilterGaSymmetry::initParameterList(const QAction* action, con
 
 std::map<std::string, QVariant> FilterGaSymmetry::applyFilter(const QAction* action,
                                                               const RichParameterList& parameters,
-                                                              MeshDocument& document, unsigned int&,
+                                                              MeshDocument& document, unsigned int& changed,
                                                               vcg::CallBackPos* callback) {
   const FilterRun run{document, parameters, [&](int percent, const char* stage) { report(callback, percent, stage); },
                       [&](const std::string& line) { log(line); },
                       [&](const std::string& line) { log(GLLogStream::WARNING, line); }};
   try {
+    changed = static_cast<unsigned int>(postCondition(action) | filter(ID(action)).changes);
     return filter(ID(action)).apply(run);
   } catch (const std::exception& error) {
     throw MLException(QString::fromLocal8Bit(error.what()));

@@ -92,7 +92,7 @@ void log_summary(const Result& result, const FilterRun& run) {
     total += stage.seconds;
   }
   run.log("Seconds: " + text("%.2f", total) + " (" + stages + ")");
-  for (const std::string& warning : result.warnings) run.warn("Warning: " + warning);
+  for (const std::string& warning : result.warnings) run.warn(warning);
 }
 
 FilterOutputs apply(const FilterRun& run) {
@@ -128,6 +128,7 @@ Filter find_partners_filter() {
           "compute_intrinsic_symmetry_per_vertex",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY,
           parameters,
           apply};
 }

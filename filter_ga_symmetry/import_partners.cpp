@@ -45,6 +45,7 @@ Filter import_partners_filter() {
           "load_partners_of_intrinsic_symmetry",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY,
           parameters,
           apply};
 }

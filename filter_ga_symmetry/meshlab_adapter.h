@@ -102,6 +102,7 @@ struct Filter {
   const char* python_name;                                        ///< in PyMeshLab
   const char* info;                                               ///< HTML, on top of the dialog
   int filter_class;                                               ///< FilterClass bits: the menus it appears in
+  int changes;                                                    ///< MeshModel bits: what a window draws anew
   RichParameterList (*parameters)(const MeshDocument& document);  ///< which may be empty
   FilterOutputs (*apply)(const FilterRun& run);
 };

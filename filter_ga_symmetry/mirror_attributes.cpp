@@ -94,6 +94,7 @@ Filter mirror_attributes_filter() {
           "transfer_attributes_across_intrinsic_symmetry",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT,
           parameters,
           apply};
 }

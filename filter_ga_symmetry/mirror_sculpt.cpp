@@ -40,11 +40,11 @@ FilterOutputs apply(const FilterRun& run) {
 
   CMeshO& m = layer.cm;
   compact(m);
-  int changed = 0;
+  int changed = 0;  // as single precision sees it, so that the same is said where coordinates are double
   for (std::size_t v = 0; v < m.vert.size(); ++v) {
     const Point3m now(static_cast<Scalarm>(position[3 * v]), static_cast<Scalarm>(position[3 * v + 1]),
                       static_cast<Scalarm>(position[3 * v + 2]));
-    changed += now != m.vert[v].cP();
+    changed += vcg::Point3f::Construct(now) != vcg::Point3f::Construct(m.vert[v].cP());
     m.vert[v].P() = now;
   }
   update_box_and_normals(layer);
@@ -59,6 +59,7 @@ Filter mirror_sculpt_filter() {
           "transfer_sculpt_across_intrinsic_symmetry",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Smoothing,
+          MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL,
           parameters,
           apply};
 }

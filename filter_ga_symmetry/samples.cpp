@@ -48,7 +48,7 @@ FilterOutputs apply(const FilterRun& run) {
   for (std::size_t v = 0; v < samples.patch.size(); ++v)
     if (samples.patch[v] >= 0) layer.cm.vert[v].C() = color(samples.patch[v]), ++covered;
   run.log("Samples: " + std::to_string(count) + " of " + std::to_string(covered) + " vertices");
-  for (const std::string& warning : samples.warnings) run.warn("Warning: " + warning);
+  if (!samples.surface.empty()) run.log("Surface: " + samples.surface);
   return {{"samples", count}};
 }
 
@@ -59,6 +59,7 @@ Filter samples_filter() {
           "generate_evenly_spaced_samples",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_VERTCOLOR,
           parameters,
           apply};
 }

@@ -110,7 +110,7 @@ FilterOutputs apply(const FilterRun& run) {
   }
   run.log("Drawn: " + std::to_string(pairs.size()) + " pairs, an axis of " + std::to_string(axis.size()) +
           (axis.size() == 1 ? " line with " : " lines with ") + std::to_string(points) + " points");
-  if (run.parameters.getBool("axis") && !has_sides) run.warn("Warning: a rotation has no axis line");
+  if (run.parameters.getBool("axis") && !has_sides) run.warn("a rotation has no axis line");
   return {{"pairs", static_cast<int>(pairs.size())}, {"axis_lines", static_cast<int>(axis.size())}};
 }
 
@@ -121,6 +121,7 @@ Filter show_pairs_filter() {
           "generate_polyline_from_intrinsic_symmetry",
           info,
           GA_SYMMETRY_FILTER_INTERFACE::Quality,
+          MeshModel::MM_NONE,
           parameters,
           apply};
 }

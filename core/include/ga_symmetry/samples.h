@@ -11,9 +11,9 @@ namespace ga_symmetry {
 
 /// Samples and the patches around them.
 struct SpacedSamples {
-  std::vector<int> vertex;            ///< the samples: mesh vertices, all different
-  std::vector<int> patch;             ///< per mesh vertex: the number of its nearest sample, -1 where no face is
-  std::vector<std::string> warnings;  ///< one line each, for the user
+  std::vector<int> vertex;  ///< the samples: mesh vertices, all different
+  std::vector<int> patch;   ///< per mesh vertex: the number of its nearest sample, -1 where no face is
+  std::string surface;      ///< what was done inside to measure on the mesh, in one line; "" = nothing
 };
 
 /// Farthest point sampling by geodesic distance: every further sample is the vertex farthest from those before it, so

@@ -12,7 +12,7 @@ SpacedSamples spaced_samples(const TriangleMesh& mesh, int count, bool largest_c
   const Landmarks samples = evenly_spaced_samples(surface, GeodesicSolver(surface), count, threads, context);
   const std::vector<int> patch = nearest_source(samples.field);
   SpacedSamples out;
-  out.warnings = surface.notes;
+  for (const std::string& note : surface.notes) out.surface += (out.surface.empty() ? "" : ", ") + note;
   out.patch.assign(static_cast<std::size_t>(mesh.vertices()), -1);
   for (int m = 0; m < mesh.vertices(); ++m)
     if (surface.surface_vertex[m] >= 0) out.patch[m] = patch[surface.surface_vertex[m]];
