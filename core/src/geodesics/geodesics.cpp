@@ -23,8 +23,8 @@ constexpr float kPointCurvature = 1e30f;
 constexpr float kResolved = 0.7f;
 // A vertex that was done is visited again for a gain of so much of an edge: smaller ones cost more than they bring.
 constexpr float kWorthwhile = 5e-5f;
-// Where visits have no end: of an average edge.
-constexpr float kPlainGain = 1e-3f;
+// Where visits have no end: of an average edge. The smaller it is, the more visits.
+constexpr float kPlainGain = 0.05f;
 // Rings over which the Gaussian curvature is averaged: single vertices of a coarse mesh are too noisy to follow.
 constexpr int kCurvatureRings = 3;
 // Buckets of the queue, and how many of them an average edge spans.
@@ -384,7 +384,7 @@ void GeodesicSolver::Impl::march(const int* sources, int count, float limit, Wor
                                  std::vector<int>* reached) const {
   // Most vertices are visited once. Where many lie within a part of a bucket, or faces are so flat that gains are what
   // floats round, there is no end to visits: then in exact order, and for plain gains alone.
-  constexpr std::int64_t kMostVisits = 10;  // of a vertex, on average
+  constexpr std::int64_t kMostVisits = 4;  // of a vertex, on average
   Node* const node = w.node.data();
   const std::int64_t most = kMostVisits * n;
   if (uneven ? march<labelled, false>(sources, count, limit, w, reached, ExactQueue(node), most)
