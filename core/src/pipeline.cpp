@@ -304,6 +304,8 @@ Result find_symmetry(const TriangleMesh& mesh, const Options& options, const Con
     found = prolongate(std::move(found), search, kind == SymmetryKind::reflection, options.threads,
                        context.part(0.8, 0.95));
     clock.stage_done("all vertices");
+  } else if (found.mirror) {
+    mirror_exactly(found, search.searched(), options.threads, context);
   }
 
   context.report(0.95, "axis");

@@ -7,6 +7,8 @@
 #include <limits>
 #include <memory>
 #include <nanoflann.hpp>
+#include <new>
+#include <numeric>
 
 #include "ga_symmetry/errors.h"
 #include "matching/local_motion.h"
@@ -38,10 +40,11 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 // The places of one part, to be found by position.
 class Finder {
  public:
-  Finder(const Surface& mesh, std::vector<int> places)
-      : place_(std::move(places)), points_(static_cast<Eigen::Index>(place_.size()), 3) {
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      points_.row(static_cast<Eigen::Index>(i)) = Vector(mesh.point(place_[i])).transpose();
+  Finder(const Surface& mesh, std::vector<int> places) : place_(std::move(places)) {
+    const bool all = static_cast<int>(place_.size()) == mesh.vertices();  // in order: no copy
+    if (!all)
+      for (const int p : place_) own_.insert(own_.end(), mesh.point(p), mesh.point(p) + 3);
+    new (&points_) Map(all ? mesh.position.data() : own_.data(), static_cast<Eigen::Index>(place_.size()), 3);
     tree_ = std::make_unique<Tree>(3, std::cref(points_));
   }
   /// The nearest place; of those about as near, within `slack`, the one whose normal agrees best.
@@ -62,9 +65,11 @@ class Finder {
   }
 
  private:
-  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
+  using Map = Eigen::Map<const Points>;
+  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Map, 3>;
   std::vector<int> place_;
-  Points points_;
+  std::vector<double> own_;
+  Map points_{nullptr, 0, 3};
   std::unique_ptr<Tree> tree_;
 };
 
@@ -81,26 +86,89 @@ std::vector<Value> interpolated(const std::vector<SurfacePoint>& place, const st
   return out;
 }
 
+std::vector<Vector> unit_normals(const Surface& mesh) {
+  std::vector<Vector> out;
+  out.reserve(mesh.vertices());
+  for (const auto& sum : vertex_normals(mesh.position, mesh.triangle)) out.push_back(Vector(sum.data()).normalized());
+  return out;
+}
+
+double mean_edge(const Surface& s) { return std::sqrt(2 * s.area / s.triangles()); }
+
+template <class Body>
+void for_each_vertex(int n, int threads, const Context& context, const Body& body) {
+  constexpr int kBlock = 1024;
+  parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
+    if (context.cancelled()) throw Cancelled();
+    for (int v = begin; v < end; ++v) body(v);
+  });
+}
+
+// Moves images to where the mirror takes their vertices, wherever the searched surface is there, and the map agrees or
+// nearly all of the surface is there: then the map is wrong where it does not.
+// @return per vertex of the mesh whether it was done
+std::vector<char> mirror_images(const MirrorPlane& mirror, const Surface& searched, const Surface& mesh,
+                                const std::vector<Vector>& normal, int threads, const Context& context,
+                                std::vector<Vector>& image, std::vector<Vector>& image_normal) {
+  constexpr double kAgree = 0.15, kThere = 0.8;  // units; edges
+  constexpr double kWhole = 0.95;                // of the area
+  const Eigen::Map<const Points> vertices(searched.position.data(), searched.vertices(), 3);
+  const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(vertices));
+  const auto off = [&](const Vector& p) {
+    Eigen::Index nearest;
+    double squared;
+    tree.query(p.data(), 1, &nearest, &squared);
+    return std::sqrt(squared);
+  };
+  const double near = kThere * mean_edge(searched);
+  std::vector<char> done(mesh.vertices());
+  for_each_vertex(mesh.vertices(), threads, context, [&](int v) {
+    const Vector here(mesh.point(v));
+    done[v] = off(mirror.mirror(here)) <= off(here) + near;
+  });
+  double there = 0;
+  for (int v = 0; v < mesh.vertices(); ++v)
+    if (done[v]) there += mesh.vertex_area[v];
+  const double agree = there >= kWhole * mesh.area ? INFINITY : kAgree * searched.unit();
+  for_each_vertex(mesh.vertices(), threads, context, [&](int v) {
+    const Vector mirrored = mirror.mirror(Vector(mesh.point(v)));
+    done[v] = done[v] && (mirrored - image[v]).norm() <= agree;
+    if (!done[v]) return;
+    image[v] = mirrored;
+    image_normal[v] = normal[v] - 2 * mirror.normal.dot(normal[v]) * mirror.normal;
+  });
+  return done;
+}
+
 }  // namespace
+
+void mirror_exactly(SurfaceResult& found, const Surface& s, int threads, const Context& context) {
+  const std::vector<Vector> normal = unit_normals(s);
+  std::vector<Vector> image(s.vertices()), image_normal = normal;
+  for (int v = 0; v < s.vertices(); ++v) image[v] = position(s, found.point[v]);
+  const std::vector<char> mirrored = mirror_images(*found.mirror, s, s, normal, threads, context, image, image_normal);
+  std::vector<int> all(s.vertices());
+  std::iota(all.begin(), all.end(), 0);
+  const Finder finder(s, std::move(all));
+  for_each_vertex(s.vertices(), threads, context, [&](int v) {
+    if (!mirrored[v]) return;
+    double off;
+    found.partner[v] = finder.nearest(image[v], image_normal[v], normal, mean_edge(s), off);
+    found.point[v] = nearest_around(s, found.partner[v], image[v]);
+  });
+  for (SymmetricPair& pair : found.pairs) pair.partner = found.partner[pair.vertex];
+}
 
 SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool reflection, int threads,
                          const Context& context) {
   const Surface &s = search.searched(), &mesh = search.of_mesh();
   const int n = mesh.vertices();
   const std::vector<LocalMotion> motion = local_motions(s, found.point, reflection, threads);
-  const double edge = std::sqrt(2 * s.area / s.triangles());
+  const double edge = mean_edge(s);
 
-  std::vector<Vector> normal(n);
-  const auto sums = vertex_normals(mesh.position, mesh.triangle);
-  for (int p = 0; p < n; ++p) normal[p] = Vector(sums[p].data()).normalized();
+  const std::vector<Vector> normal = unit_normals(mesh);
   std::vector<Vector> image(n), image_normal(n);
-  constexpr int kBlock = 1024;
-  const auto for_each_place = [&](const auto& body) {
-    parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
-      if (context.cancelled()) throw Cancelled();
-      for (int p = begin; p < end; ++p) body(p);
-    });
-  };
+  const auto for_each_place = [&](const auto& body) { for_each_vertex(n, threads, context, body); };
   for_each_place([&](int p) {
     constexpr double kTorn = 4;  // images of a face's corners so many edges apart have nothing between them
     const SurfacePoint& at = search.place()[p];
@@ -114,24 +182,7 @@ SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool 
     image_normal[p] = motion[at.vertex[main]].turn * normal[p];
   });
 
-  if (found.mirror) {
-    // Mirrored places stand at their partners exactly, wherever the surface is there and the map agrees.
-    constexpr double kAgree = 0.15, kThere = 0.8;  // units; edges
-    const Eigen::Map<const Points> vertices(s.position.data(), s.vertices(), 3);
-    const nanoflann::KDTreeEigenMatrixAdaptor<Eigen::Map<const Points>, 3> tree(3, std::cref(vertices));
-    const auto off = [&](const Vector& p) {
-      Eigen::Index nearest;
-      double squared;
-      tree.query(p.data(), 1, &nearest, &squared);
-      return std::sqrt(squared);
-    };
-    for_each_place([&](int p) {
-      const Vector here(mesh.point(p)), mirrored = found.mirror->mirror(here);
-      if ((mirrored - image[p]).norm() > kAgree * s.unit() || off(mirrored) > off(here) + kThere * edge) return;
-      image[p] = mirrored;
-      image_normal[p] = normal[p] - 2 * found.mirror->normal.dot(normal[p]) * found.mirror->normal;
-    });
-  }
+  if (found.mirror) mirror_images(*found.mirror, s, mesh, normal, threads, context, image, image_normal);
 
   // Which part is whose counterpart: where its places come to, as a share of both.
   std::vector<std::vector<int>> places(search.parts());

@@ -19,4 +19,9 @@ namespace ga_symmetry {
 SurfaceResult prolongate(SurfaceResult found, const SearchSurface& search, bool reflection, int threads,
                          const Context& context = {});
 
+/// The same for a mesh that was searched itself: where `found.mirror` takes its vertices, partners are there exactly,
+/// wherever the surface is there, and the map agrees or nearly all of the surface is there.
+/// @throws Cancelled
+void mirror_exactly(SurfaceResult& found, const Surface& surface, int threads, const Context& context = {});
+
 }  // namespace ga_symmetry
