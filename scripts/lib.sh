@@ -18,10 +18,10 @@ install_packages() {
   "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends "${missing[@]}"
 }
 
-build_packages=(g++ cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev libnanoflann-dev libmeshoptimizer-dev
-                libcli11-dev nlohmann-json3-dev meshlab qtbase5-dev libqt5opengl5-dev libglew-dev)
+build_packages=(g++ cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev libnanoflann-dev libcli11-dev
+                nlohmann-json3-dev meshlab qtbase5-dev libqt5opengl5-dev libglew-dev)
 # What the plugin for another MeshLab takes: that one brings its own vcglib and common library.
-plugin_packages=(g++ cmake ninja-build libeigen3-dev libnanoflann-dev libmeshoptimizer-dev qtbase5-dev libqt5opengl5-dev libglew-dev)
+plugin_packages=(g++ cmake ninja-build libeigen3-dev libnanoflann-dev qtbase5-dev libqt5opengl5-dev libglew-dev)
 screen_packages=(xvfb xauth)
 picture_packages=(xdotool imagemagick)
 # What makes the page of `ga_symmetry compare`, and the API reference.

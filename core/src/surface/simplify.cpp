@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/simplify.h"
 
-#include <meshoptimizer.h>
 #include <vcg/complex/algorithms/clean.h>
 #include <vcg/complex/algorithms/local_optimization.h>
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse_quadric.h>
@@ -43,43 +42,61 @@ class Collapse : public vcg::tri::TriEdgeCollapseQuadric<SimplifiedMesh, VertexP
   Collapse(const VertexPair& pair, int mark, vcg::BaseParameterClass* parameters) : Base(pair, mark, parameters) {}
 };
 
-// A first thinning, fast, by the quadrics of all faces; vertices are left out, none is moved. Its faces may be slivers
-// on flat parts, which is why it does not go all the way.
-Surface thinned(const Surface& s, int vertices, const Context& context) {
-  const std::vector<float> position(s.position.begin(), s.position.end());
-  const std::vector<unsigned int> triangle(s.triangle.begin(), s.triangle.end());
-  std::vector<unsigned int> left(triangle.size());
-  const auto wanted = static_cast<std::size_t>(3.0 * s.triangles() * vertices / s.vertices());
-  constexpr float kAnyError = 1;  // of the extent
-  left.resize(meshopt_simplify(left.data(), triangle.data(), triangle.size(), position.data(), s.vertices(),
-                               3 * sizeof(float), wanted, kAnyError, 0, nullptr));
-  if (context.cancelled()) throw Cancelled();
-  std::vector<int> index(s.vertices(), -1), corners;
-  std::vector<double> places;
-  for (const unsigned int v : left) {
-    if (index[v] < 0) {
-      index[v] = static_cast<int>(places.size() / 3);
-      places.insert(places.end(), s.point(static_cast<int>(v)), s.point(static_cast<int>(v)) + 3);
+// A first, cheap thinning in linear time, where quadrics would spend theirs on detail that is far below the proxy's
+// resolution: edges much shorter than `length` are collapsed onto one of their ends, so no vertex leaves the surface.
+// Nothing folds over, no border is touched, and the surface stays a manifold.
+void thin_out(SimplifiedMesh& mesh, double length, int vertices, const Context& context) {
+  using Ring = vcg::face::VFIterator<SimplifiedFace>;
+  const auto keeps_manifold = [&](SimplifiedVertex* gone, SimplifiedVertex* kept) {  // exactly two common neighbours
+    vcg::tri::UnMarkAll(mesh);
+    for (Ring r(gone); !r.End(); ++r) {
+      vcg::tri::Mark(mesh, r.V1());
+      vcg::tri::Mark(mesh, r.V2());
     }
-    corners.push_back(index[v]);
+    int common = 0;
+    for (Ring r(kept); !r.End(); ++r)
+      for (SimplifiedVertex* w : {r.V1(), r.V2()})
+        if (vcg::tri::IsMarked(mesh, w)) ++common, w->IMark() = mesh.imark - 1;
+    return common == 2;
+  };
+  const auto folds = [](SimplifiedVertex* gone, SimplifiedVertex* kept) {
+    constexpr double kLeastCosine = 0.5;
+    for (Ring r(gone); !r.End(); ++r) {
+      if (r.V1() == kept || r.V2() == kept) continue;
+      const vcg::Point3d &a = r.V1()->cP(), edge = r.V2()->cP() - a;
+      const vcg::Point3d before = edge ^ (gone->cP() - a), after = edge ^ (kept->cP() - a);
+      if (before * after <= kLeastCosine * before.Norm() * after.Norm()) return true;
+      if (after.Norm() < 0.05 * edge.SquaredNorm()) return true;  // a needle
+    }
+    return false;
+  };
+  const int start = mesh.vn;
+  for (int before = mesh.vn + 1; mesh.vn > vertices && mesh.vn < before;) {
+    before = static_cast<int>(0.98 * mesh.vn);  // the next round is not worth it if this one takes less away
+    for (std::size_t f = 0; f < mesh.face.size() && mesh.vn > vertices; ++f) {
+      if (f % 65536 == 0) context.report(static_cast<double>(start - mesh.vn) / (start - vertices), "simplifying");
+      for (int k = 0; k < 3 && !mesh.face[f].IsD(); ++k) {
+        SimplifiedVertex *gone = mesh.face[f].V(k), *kept = mesh.face[f].V((k + 1) % 3);
+        if (gone->IsB() || !gone->IsW() || !kept->IsW() ||
+            vcg::SquaredDistance(gone->cP(), kept->cP()) > length * length)
+          continue;
+        if (!keeps_manifold(gone, kept) || folds(gone, kept)) continue;
+        VertexPair pair(gone, kept);
+        vcg::tri::EdgeCollapser<SimplifiedMesh, VertexPair>::Do(mesh, pair, kept->P());
+      }
+    }
   }
-  return surface_of(std::move(places), std::move(corners), context);
+  vcg::tri::Allocator<SimplifiedMesh>::CompactEveryVector(mesh);
 }
 
 }  // namespace
 
-Surface simplified(const Surface& surface, int vertices, const Context& context) {
-  constexpr int kThinned = 2;     // times the wanted vertices are left to vcglib's quadrics, which take longer
-  constexpr double kBegun = 0.5;  // progress, of a mesh that is thinned first
+Surface simplified(const Surface& s, int vertices, const Context& context) {
   context.report(0, "simplifying");
-  const bool thin = surface.vertices() > kThinned * vertices;
-  Surface few;
-  if (thin) few = thinned(surface, kThinned * vertices, context.part(0, kBegun));
-  const Surface& s = thin ? few : surface;
-  const Context rest = context.part(thin ? kBegun : 0, 1);
   SimplifiedMesh mesh;
   vcg::tri::Allocator<SimplifiedMesh>::AddVertices(mesh, s.vertices());
   vcg::tri::Allocator<SimplifiedMesh>::AddFaces(mesh, s.triangles());
+  context.report(0, "simplifying");
   for (int v = 0; v < s.vertices(); ++v) mesh.vert[v].P() = {s.point(v)[0], s.point(v)[1], s.point(v)[2]};
   for (std::size_t c = 0; c < s.triangle.size(); ++c) mesh.face[c / 3].V(c % 3) = &mesh.vert[s.triangle[c]];
   for (std::size_t c = 0; c < s.triangle.size(); ++c)
@@ -92,6 +109,14 @@ Surface simplified(const Surface& surface, int vertices, const Context& context)
   for (int v = 0; v < s.vertices(); ++v)
     if (s.first_corner[v + 1] - s.first_corner[v] > kManyFaces) mesh.vert[v].ClearW();
   vcg::tri::UpdateTopology<SimplifiedMesh>::VertexFace(mesh);
+  constexpr int kThinned = 5;  // times the wanted vertices are left to the quadrics
+  const int thinned = kThinned * vertices;
+  constexpr double kBegun = 0.5;  // progress, of a mesh that is thinned first
+  const Context rest = context.part(mesh.vn > thinned ? kBegun : 0, 1);
+  if (mesh.vn > thinned) {
+    thin_out(mesh, std::sqrt(s.area / thinned), thinned, context.part(0, kBegun));
+    vcg::tri::UpdateTopology<SimplifiedMesh>::VertexFace(mesh);
+  }
   vcg::tri::UpdateNormal<SimplifiedMesh>::PerVertexNormalizedPerFaceNormalized(mesh);
   vcg::tri::TriEdgeCollapseQuadricParameter parameters;
   parameters.PreserveTopology = true;

@@ -6,9 +6,8 @@
 
 namespace ga_symmetry {
 
-/// By quadric edge collapse (Garland & Heckbert 1997) to about `vertices`: meshoptimizer's, then vcglib's, which makes
-/// faces of good shape. No hole is closed and no two parts are joined. More are left where nothing can be taken away
-/// without that.
+/// By quadric edge collapse (Garland & Heckbert 1997, vcglib's) to about `vertices`; no hole is closed and no two parts
+/// are joined. More are left where nothing can be taken away without that.
 /// @throws Cancelled
 Surface simplified(const Surface& surface, int vertices, const Context& context = {});
 
