@@ -44,6 +44,7 @@ class Finder {
     const bool all = static_cast<int>(place_.size()) == mesh.vertices();  // in order: no copy
     if (!all)
       for (const int p : place_) own_.insert(own_.end(), mesh.point(p), mesh.point(p) + 3);
+    // Eigen's way to make a map of something else.
     new (&points_) Map(all ? mesh.position.data() : own_.data(), static_cast<Eigen::Index>(place_.size()), 3);
     tree_ = std::make_unique<Tree>(3, std::cref(points_));
   }
