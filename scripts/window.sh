@@ -2,7 +2,7 @@
 # MeshLab's window on a virtual screen of 1280 x 900, used with the mouse and the keyboard as a person does. Sourced, with
 # in program  the MeshLab to start,
 # in settings an empty folder: its settings, and its log in the file log,
-# in out      the folder of the pictures.
+# in out      the folder of the pictures of `shot`.
 
 export XDG_CONFIG_HOME=$settings
 for name in MeshLab_64bit_fp MeshLab_64bit_dp; do  # MeshLab 2025 would ask at its first start

@@ -27,10 +27,8 @@ mkdir -p "$pictures"
 meshes=()
 for mesh in "${@:4}"; do meshes+=("$(realpath "$mesh")"); done
 settings=$(mktemp -d)
-out=$settings
-meshlab=
-trap 'kill $meshlab 2> /dev/null || true; rm -rf "$settings"' EXIT
 . "$root/scripts/window.sh"
+trap 'stop_window; rm -rf "$settings"' EXIT
 cd "$settings"
 failed=0
 fail() {
@@ -53,13 +51,12 @@ same() {
 }
 
 # rewrite MESH OUT [OPTION]...: as MeshLab writes it, in single precision
-rewrite() { "$server" -i "$1" -o "$2" "${@:3}" -s nothing.mlx > log 2>&1 || { cat log && exit 1; }; }
+rewrite() { "$server" -i "$1" -o "$2" "${@:3}" > log 2>&1 || { cat log && exit 1; }; }
 
 # What is done after the search: on that mesh, then on its sculpted copy. In this order, as the last makes layers.
 filters="compute_asymmetry_per_vertex transfer_attributes_across_intrinsic_symmetry attribute=1 generate_evenly_spaced_samples
   load_partners_of_intrinsic_symmetry partners_file=partners.csv generate_polyline_from_intrinsic_symmetry"
 sculpt="load_partners_of_intrinsic_symmetry partners_file=partners.csv transfer_sculpt_across_intrinsic_symmetry before=0"
-"$make_filter_script" --select 0 compute_asymmetry_per_vertex | sed '/Asymmetry/,/<\/filter>/d' > nothing.mlx
 
 for mesh in "${meshes[@]}"; do
   name=$(basename "$mesh" .off)
@@ -109,13 +106,13 @@ PYTHON
     host=window$((++number))
     start before.ply
     # Where the buttons of the files are, above the dialogs' lower edges.
-    case $(xdotool getwindowname "$window") in *2020*) find=310 import=94 ;; *) find=245 import=216 ;; esac
+    case $(xdotool getwindowname "$window") in *2020*) to_find=310 to_import=94 ;; *) to_find=245 to_import=216 ;; esac
     shown=() before=
     step() {
       filter "$1"
       case $1 in
-        "Find Partners") choose_file $((width - 60)) $((height - find)) "$settings/partners.$host.csv" ;;
-        "Import Partners") choose_file $((width - 60)) $((height - import)) "$settings/partners.csv" ;;
+        "Find Partners") choose_file $((width - 60)) $((height - to_find)) "$settings/partners.$host.csv" ;;
+        "Import Partners") choose_file $((width - 60)) $((height - to_import)) "$settings/partners.csv" ;;
       esac
       apply
       shown+=("$settings/$((${#shown[@]} + 10)).png")

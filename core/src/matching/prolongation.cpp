@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <nanoflann.hpp>
-#include <new>
 #include <numeric>
 
 #include "ga_symmetry/errors.h"
@@ -40,12 +39,10 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 // The places of one part, to be found by position.
 class Finder {
  public:
-  Finder(const Surface& mesh, std::vector<int> places) : place_(std::move(places)) {
-    const bool all = static_cast<int>(place_.size()) == mesh.vertices();  // in order: no copy
-    if (!all)
-      for (const int p : place_) own_.insert(own_.end(), mesh.point(p), mesh.point(p) + 3);
-    // Eigen's way to make a map of something else.
-    new (&points_) Map(all ? mesh.position.data() : own_.data(), static_cast<Eigen::Index>(place_.size()), 3);
+  Finder(const Surface& mesh, std::vector<int> places)
+      : place_(std::move(places)), points_(static_cast<Eigen::Index>(place_.size()), 3) {
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      points_.row(static_cast<Eigen::Index>(i)) = Vector(mesh.point(place_[i])).transpose();
     tree_ = std::make_unique<Tree>(3, std::cref(points_));
   }
   /// The nearest place; of those about as near, within `slack`, the one whose normal agrees best.
@@ -66,11 +63,9 @@ class Finder {
   }
 
  private:
-  using Map = Eigen::Map<const Points>;
-  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Map, 3>;
+  using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
   std::vector<int> place_;
-  std::vector<double> own_;
-  Map points_{nullptr, 0, 3};
+  Points points_;
   std::unique_ptr<Tree> tree_;
 };
 
