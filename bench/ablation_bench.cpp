@@ -36,6 +36,7 @@ const std::vector<Variant> variants{
     {"no bijectivity term", [](Options& o) { o.joint.bijectivity_weight = 0; }},
     {"no reference term", [](Options& o) { o.joint.reference_weight = 0; }},
     {"no generations: the best seed", [](Options& o) { o.joint.max_generations = 0; }},
+    {"no turned regions", [](Options& o) { o.joint.turn_probability = 0; }},
     {"no ruin and recreate", [](Options& o) { o.joint.ruin_probability = 0; }},
     {"no crossover", [](Options& o) { o.joint.ruin_probability = 1; }},
     {"no mutation", [](Options& o) { o.joint.mutation_probability = 0; }},

@@ -18,8 +18,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (in.take<std::uint8_t>() % 2) *value = in.take<int>();
   for (double* value :
        {&o.pairs.outlier_z, &o.pairs.mutation_barrier_z, &o.pairs.mutation_probability, &o.joint.mutation_probability,
-        &o.joint.ruin_probability, &o.joint.outlier_z, &o.joint.distance_weight, &o.joint.orientation_weight,
-        &o.joint.continuity_weight, &o.joint.descriptor_weight, &o.joint.bijectivity_weight, &o.joint.reference_weight})
+        &o.joint.turn_probability, &o.joint.ruin_probability, &o.joint.outlier_z, &o.joint.distance_weight,
+        &o.joint.orientation_weight, &o.joint.continuity_weight, &o.joint.descriptor_weight,
+        &o.joint.bijectivity_weight, &o.joint.reference_weight})
     if (in.take<std::uint8_t>() % 2) *value = in.take<double>();
   for (int count = in.take<std::uint8_t>() % 4; count-- > 0;) o.references.axis.push_back(in.take<int>());
   for (int count = in.take<std::uint8_t>() % 4; count-- > 0;)

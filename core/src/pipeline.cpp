@@ -68,6 +68,9 @@ constexpr double kAdjustCurvature = 0.006;
 // above this. What is searched for in vain costs time alone.
 constexpr double kFits = 0.1;
 
+// Survivors of one search, of the lowest cost, that the choice looks at if only the best is wanted.
+constexpr std::size_t kLookedAt = 12;
+
 // Times the stages one after the other.
 class StageClock {
  public:
@@ -145,6 +148,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
     part.report(0.8, "refinement");
     out.log = std::move(search.log);
     out.stop = search.stop;
+    if (refine == Refine::contenders) search.maps.resize(std::min(kLookedAt, search.maps.size()));
     maps.insert(maps.end(), search.maps.begin(), search.maps.end());
     out.ranking =
         rank_maps(out.matching, sites, maps, anchors.image, refine, options.threads, part.part(0.8, 1, "refinement"));

@@ -51,7 +51,7 @@ std::vector<double> state(const Options& o) {
   const auto& [method, symmetry, references, seed, threads, proxy, rank, refinement, filter, spectral, fitness,
                component, p, j] = o;
   const auto& [error, samples, sampling, individuals, regions, outlier, barrier, mutation, generations] = p;
-  const auto& [j_samples, sites, population, j_generations, j_mutation, ruin, j_outlier, distance, orientation,
+  const auto& [j_samples, sites, population, j_generations, j_mutation, turn, ruin, j_outlier, distance, orientation,
                continuity, descriptor, bijectivity, reference] = j;
   return {double(references.axis.size()),
           double(symmetry),
@@ -67,6 +67,7 @@ std::vector<double> state(const Options& o) {
           double(population),
           double(j_generations),
           j_mutation,
+          turn,
           ruin,
           j_outlier,
           distance,
@@ -247,6 +248,7 @@ TEST(CheckOptions, EveryRangeIsChecked) {
   refuses("joint_population", [](Options& o) { o.joint.population = 3; });
   refuses("joint_generations", [](Options& o) { o.joint.max_generations = -1; });
   refuses("joint_mutation", [&](Options& o) { o.joint.mutation_probability = nan; });
+  refuses("joint_turn", [](Options& o) { o.joint.turn_probability = 1.01; });
   refuses("joint_ruin", [](Options& o) { o.joint.ruin_probability = 1.01; });
   refuses("joint_outlier", [](Options& o) { o.joint.outlier_z = -0.1; });
   refuses("joint_distance_weight", [](Options& o) { o.joint.distance_weight = -1; });

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "scene.h"
+#include "search/polar_map.h"
 
 namespace ga_symmetry {
 namespace {
@@ -24,7 +25,7 @@ Population<SampleMap> random_parents(int count) {
 
 Population<SampleMap> vary_once(const VariationOptions& options, const Population<SampleMap>& parents) {
   Random random(5);
-  return vary(scene().sites, options, parents, z_scores(costs_of(parents)), random);
+  return vary(scene().cost(), options, parents, z_scores(costs_of(parents)), random);
 }
 
 TEST(Disc, AnyCenterAndRadiusOfItsRange) {
@@ -54,6 +55,32 @@ TEST(DiscCrossover, TakesTheDiscFromTheMateAndNothingElse) {
   }
   EXPECT_NE(child, map);
   EXPECT_NE(child, mate);
+}
+
+TEST(TurnDisc, IsThePolarMapInsideAndNothingElse) {
+  const Sites& s = scene().sites;
+  const MapCost cost = scene().cost();
+  const SampleMap map = scene().truth();
+  const Disc disc{7, 0.4f};
+  const int image = s.nearest_sample[map[7]];
+  const SampleMap polar = polar_map(cost, {7, image}, 2), turned = turn_disc(cost, map, disc, 2);
+  for (int i = 0; i < s.samples; ++i) EXPECT_EQ(turned[i], s.distance(7, i) <= disc.radius ? polar[i] : map[i]);
+  EXPECT_NE(turned, turn_disc(cost, map, disc, 4));
+}
+
+TEST(TurnDisc, TheLastTurnIsTheOneThatCounts) {
+  const MapCost cost = scene().cost();
+  const SampleMap map = scene().truth();
+  const Disc disc{scene().sites.extremal.front(), 0.5f};
+  EXPECT_EQ(turn_disc(cost, turn_disc(cost, map, disc, 1), disc, 2), turn_disc(cost, map, disc, 2));
+}
+
+TEST(Vary, TurnsAsOftenAsItsProbability) {
+  // All parents are alike, so that crossover changes nothing.
+  const Population<SampleMap> parents(200, {scene().truth(), 1.0, true});
+  VariationOptions options;
+  options.turn_probability = 0.25;
+  EXPECT_NEAR(static_cast<double>(vary_once(options, parents).size()), 50, 31);  // five standard deviations
 }
 
 TEST(RegionCrossover, GoesToTheRegionOfTheReferencesDistanceAndStays) {

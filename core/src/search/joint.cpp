@@ -16,6 +16,7 @@ JointProblem::JointProblem(const Sites& sites, const Surface& surface, SymmetryK
       cost_(sites, kind, make_unary_costs(sites, surface.unit(), anchors, options),
             make_cost_weights(options, kind, surface.orientable)),
       anchors_(anchor_pairs(sites, anchors)) {
+  variation_.turn_probability = options.turn_probability;
   variation_.ruin_probability = options.ruin_probability;
   variation_.mutation_probability = options.mutation_probability;
   for (const SitePair& anchor : anchors_) variation_.references.push_back(anchor.sample);
@@ -34,7 +35,7 @@ double JointProblem::best(const Population<SampleMap>& population) const {
 
 Population<SampleMap> JointProblem::vary(const Population<SampleMap>& parents, const std::vector<double>& z_errors,
                                          Random& random) const {
-  return ga_symmetry::vary(cost_.sites(), variation_, parents, z_errors, random);
+  return ga_symmetry::vary(cost_, variation_, parents, z_errors, random);
 }
 
 Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Population<SampleMap> children) const {
@@ -45,7 +46,7 @@ JointResult search_joint(const JointProblem& problem, Random& random, int thread
                          std::vector<SampleMap> seeds) {
   constexpr double kSeeded = 0.5;        // progress
   constexpr int kStallGenerations = 20;  // half the default number of generations; with 10 two maps of 22 stop half way
-  constexpr double kDistinct = 0.1;      // units; maps farther apart than this are different symmetries
+  constexpr double kDistinct = 0.04;     // units: also maps that differ in a limb alone, for the choice among them
   constexpr int kSurvivors = 30;         // as many as `rank` may ask for
   const JointOptions& options = problem.options();
   const Sites& sites = problem.cost().sites();

@@ -6,24 +6,13 @@
 #include "ga_symmetry/context.h"
 #include "geodesics/anchors.h"
 #include "search/map_cost.h"
+#include "search/polar_map.h"
 #include "search/sample_map.h"
 
 namespace ga_symmetry {
 
-/// A sample and the site that a symmetry may take it to.
-struct SitePair {
-  int sample = -1;
-  int site = -1;
-  bool operator==(const SitePair& o) const { return sample == o.sample && site == o.site; }
-};
 /// The sample nearest to each anchor, and the site nearest to its image; ties: the lower one.
 std::vector<SitePair> anchor_pairs(const Sites& sites, const Anchors& anchors);
-
-/// The whole map that follows from taking a sample to a site and turning by `angle`: every other sample goes to the
-/// sample that is as far from the site, in the mirrored (or, for a rotation, same) direction.
-/// @param pair  its site is a sample, too @param angle  radians
-/// @return samples' own sites only
-SampleMap polar_map(const MapCost& cost, const SitePair& pair, double angle);
 
 /// Pairs for polar maps: the anchors, then tips of the surface that are about as far from everything, then what looks
 /// most alike. Sites are samples.

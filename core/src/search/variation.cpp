@@ -7,8 +7,12 @@
 #include <numeric>
 #include <utility>
 
+#include "search/polar_map.h"
+
 namespace ga_symmetry {
 namespace {
+
+constexpr double kPi = 3.14159265358979323846;
 
 constexpr int kRegions = 5;  // of distance, as in the paper
 
@@ -28,6 +32,12 @@ SampleMap disc_crossover(const Sites& sites, SampleMap map, const SampleMap& mat
 
 SampleMap ruin(const Sites& sites, SampleMap map, const Disc& disc) {
   return disc_crossover(sites, std::move(map), SampleMap(sites.samples, -1), disc);
+}
+
+SampleMap turn_disc(const MapCost& cost, SampleMap map, const Disc& disc, double angle) {
+  const Sites& sites = cost.sites();
+  const SampleMap turned = polar_map(cost, {disc.center, sites.nearest_sample[map[disc.center]]}, angle);
+  return disc_crossover(sites, std::move(map), turned, disc);
 }
 
 int region_crossover(const Sites& sites, const SampleMap& map, int i, int reference, Random& random) {
@@ -61,14 +71,17 @@ void mutate_genes(const Sites& sites, const VariationOptions& options, SampleMap
   }
 }
 
-Population<SampleMap> vary(const Sites& sites, const VariationOptions& options, const Population<SampleMap>& parents,
+Population<SampleMap> vary(const MapCost& cost, const VariationOptions& options, const Population<SampleMap>& parents,
                            const std::vector<double>& z_errors, Random& random) {
+  const Sites& sites = cost.sites();
   Population<SampleMap> children;
   for (const auto& parent : parents) {
     const SampleMap& mate = parents[tournament(z_errors, 2, random)].genome;
     const Disc disc = draw_disc(sites, random);
-    SampleMap child = draw_unit(random) < options.ruin_probability ? ruin(sites, parent.genome, disc)
-                                                                   : disc_crossover(sites, parent.genome, mate, disc);
+    SampleMap child = draw_unit(random) < options.turn_probability
+                          ? turn_disc(cost, parent.genome, disc, 2 * kPi * draw_unit(random))
+                      : draw_unit(random) < options.ruin_probability ? ruin(sites, parent.genome, disc)
+                                                                     : disc_crossover(sites, parent.genome, mate, disc);
     if (std::count(child.begin(), child.end(), -1) > sites.samples / 2) continue;
     mutate_genes(sites, options, child, random);
     if (child != parent.genome) children.push_back({std::move(child)});
