@@ -13,9 +13,9 @@
 namespace ga_symmetry {
 namespace {
 
-constexpr int kMaxOrder = 12;            // of rotations: of more sides than a dodecagon, 100 samples tell little
-constexpr double kReturned = 0.1;        // mean distance, in units, at which samples are back: that between neighbours;
-                                         // each application adds to it, as partners are taken by the nearest sample
+constexpr int kMaxOrder = 12;           // of rotations: of more sides than a dodecagon, 100 samples tell little
+constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours;
+                                        // each application adds to it, as partners are taken by the nearest sample
 constexpr std::size_t kContenders = 8;  // survivors taken to vertex resolution to find the best
 constexpr double kTurned = 10;  // times its share of the surface: how much what is wrongly turned adds to the score
 // How far off distances around a reference are, on average, where it goes elsewhere: more than lies between samples,
