@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace ga_symmetry {
+
 SampleMap polar_map(const MapCost& cost, const SitePair& pair, double angle) {
   constexpr float kTurned = 0.25f;  // the opposite direction costs as much as a distance that is 70 % off
   const Sites& sites = cost.sites();

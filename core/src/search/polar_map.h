@@ -12,6 +12,7 @@ struct SitePair {
   int site = -1;
   bool operator==(const SitePair& o) const { return sample == o.sample && site == o.site; }
 };
+
 /// The whole map that follows from taking a sample to a site and turning by `angle`: every other sample goes to the
 /// sample that is as far from the site, in the mirrored (or, for a rotation, same) direction.
 /// @param pair  its site is a sample, too @param angle  radians

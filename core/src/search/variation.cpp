@@ -12,8 +12,6 @@
 namespace ga_symmetry {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 constexpr int kRegions = 5;  // of distance, as in the paper
 
 }  // namespace
@@ -79,7 +77,7 @@ Population<SampleMap> vary(const MapCost& cost, const VariationOptions& options,
     const SampleMap& mate = parents[tournament(z_errors, 2, random)].genome;
     const Disc disc = draw_disc(sites, random);
     SampleMap child = draw_unit(random) < options.turn_probability
-                          ? turn_disc(cost, parent.genome, disc, 2 * kPi * draw_unit(random))
+                          ? turn_disc(cost, parent.genome, disc, 2 * M_PI * draw_unit(random))
                       : draw_unit(random) < options.ruin_probability ? ruin(sites, parent.genome, disc)
                                                                      : disc_crossover(sites, parent.genome, mate, disc);
     if (std::count(child.begin(), child.end(), -1) > sites.samples / 2) continue;
