@@ -68,7 +68,7 @@ constexpr double kAdjustCurvature = 0.006;
 // above this. What is searched for in vain costs time alone.
 constexpr double kFits = 0.1;
 
-// Survivors of one search, of the lowest cost, that the choice looks at if only the best is wanted.
+// Survivors of the lowest cost that the choice looks at, if only the best is wanted and no references tell which it is.
 constexpr std::size_t kLookedAt = 12;
 
 // Times the stages one after the other.
@@ -140,6 +140,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
              {},
              {}};
   std::vector<SampleMap> maps;
+  const bool given = anchors.count() > 0;
   const auto survey = [&](const Anchors& known, const Context& part) {
     const JointProblem problem(sites, measured.surface, kind, known, options.joint);
     Random random(options.seed);
@@ -148,7 +149,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
     part.report(0.8, "refinement");
     out.log = std::move(search.log);
     out.stop = search.stop;
-    if (refine == Refine::contenders) search.maps.resize(std::min(kLookedAt, search.maps.size()));
+    if (refine == Refine::contenders && !given) search.maps.resize(std::min(kLookedAt, search.maps.size()));
     maps.insert(maps.end(), search.maps.begin(), search.maps.end());
     out.ranking =
         rank_maps(out.matching, sites, maps, anchors.image, refine, options.threads, part.part(0.8, 1, "refinement"));
@@ -156,9 +157,8 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   };
   // A pose moves references, too: the best map that agrees with them is more often found by a search that minimises
   // the rest alone. Where it finds none that fits, they are a term of what is minimised.
-  const bool known = anchors.count() > 0;
-  survey({}, context.part(0, known ? 0.6 : 1));
-  if (known && (out.ranking.empty() || out.ranking[0].score > kFits)) survey(anchors, context.part(0.6, 1));
+  survey({}, context.part(0, given ? 0.6 : 1));
+  if (given && (out.ranking.empty() || out.ranking[0].score > kFits)) survey(anchors, context.part(0.6, 1));
   return out;
 }
 
