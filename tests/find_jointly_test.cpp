@@ -92,18 +92,19 @@ TEST_F(FindJointly, StopsWhenAskedTo) {
   EXPECT_THROW(find_symmetry(shape_.mesh, {}, context), Cancelled);
 }
 
-TEST_F(FindJointly, RefinementAndNoiseFilterBringPartnersNearer) {
+// In a pose that changes distances; in one that hardly does, partners are as near as vertices allow.
+TEST(FindSymmetry, RefinementAndNoiseFilterBringPartnersNearer) {
+  const auto shape = shapes::shuffled(shapes::bent(shapes::creature(4), 0.6), 3);
   Options o;
-  o.references = references_of(shape_);
+  o.references = references_of(shape);
   o.local_refinement = o.noise_filter = o.spectral_refinement = false;
-  const double neither = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
+  const double neither = mean_error(shape.mesh, shape.partner, find_symmetry(shape.mesh, o).partners.partner);
   o.local_refinement = true;
-  const double refined = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
+  const double refined = mean_error(shape.mesh, shape.partner, find_symmetry(shape.mesh, o).partners.partner);
   o.noise_filter = true;
-  const double both = mean_error(shape_.mesh, shape_.partner, find_symmetry(shape_.mesh, o).partners.partner);
-  EXPECT_LT(both, neither);
-  EXPECT_LT(refined, neither);
-  EXPECT_LT(both, 1.02 * refined);
+  const double both = mean_error(shape.mesh, shape.partner, find_symmetry(shape.mesh, o).partners.partner);
+  EXPECT_LT(refined, 0.97 * neither);
+  EXPECT_LT(both, refined);
 }
 
 // Which of two is named first changes nothing but which side is left.

@@ -67,6 +67,8 @@ constexpr double kAdjustCurvature = 0.006;
 // Scores: some 0.02 where the pose is symmetric, too, 0.05 to 0.15 in hard poses, seldom more; of wrong maps mostly
 // above this. What is searched for in vain costs time alone.
 constexpr double kFits = 0.1;
+// Before the samples' partners are refined: maps below are as good after five generations as after forty.
+constexpr double kFitsPlainly = 0.04;
 
 // Survivors of the lowest cost that the choice looks at, if only the best is wanted and no references tell which it is.
 constexpr std::size_t kLookedAt = 12;
@@ -123,9 +125,10 @@ Landmarks make_landmarks(const Sites& sites, const Landmarks& references) {
   return images_of(itself, sites, references);
 }
 
-// @param kind  not `any`
+// @param kind      not `any`
+// @param hopeless  score: where all maps are above, the search ends without any
 Survey survey_kind(const Measured& measured, const SurfaceReferences& references, SymmetryKind kind,
-                   const Options& options, Refine refine, const Context& context, StageClock& clock) {
+                   const Options& options, Refine refine, double hopeless, const Context& context, StageClock& clock) {
   const Sites& sites = measured.sites;
   context.report(0, "search");
   const Anchors anchors = make_anchors(references, kind, measured.solver, options.threads);
@@ -144,11 +147,21 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   const auto survey = [&](const Anchors& known, const Context& part) {
     const JointProblem problem(sites, measured.surface, kind, known, options.joint);
     Random random(options.seed);
-    JointResult search = search_joint(problem, random, options.threads, part.part(0, 0.8), seeds);
+    bool in_vain = false;
+    const auto enough = [&](const std::vector<SampleMap>& best) {
+      double least = INFINITY;
+      for (const Candidate& c : candidates_of(out.matching, sites, best, anchors.image, options.threads))
+        least = std::min(least, c.score);
+      in_vain = least > hopeless;
+      return in_vain || least < kFitsPlainly;
+    };
+    JointResult search = search_joint(problem, random, options.threads, part.part(0, 0.8), seeds,
+                                      refine == Refine::contenders ? Enough(enough) : Enough());
     clock.stage_done("search");
     part.report(0.8, "refinement");
     out.log = std::move(search.log);
     out.stop = search.stop;
+    if (in_vain) return;
     if (refine == Refine::contenders && !given) search.maps.resize(std::min(kLookedAt, search.maps.size()));
     maps.insert(maps.end(), search.maps.begin(), search.maps.end());
     out.ranking =
@@ -158,7 +171,10 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   // A pose moves references, too: the best map that agrees with them is more often found by a search that minimises
   // the rest alone. Where it finds none that fits, they are a term of what is minimised.
   survey({}, context.part(0, given ? 0.6 : 1));
-  if (given && (out.ranking.empty() || out.ranking[0].score > kFits)) survey(anchors, context.part(0.6, 1));
+  const auto fits = [&] {
+    return !out.ranking.empty() && out.ranking[0].score <= kFits && out.ranking[0].off_references <= kReferenceSlack;
+  };
+  if (given && !fits()) survey(anchors, context.part(0.6, 1));
   return out;
 }
 
@@ -167,17 +183,18 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
 std::unique_ptr<Survey> survey_symmetries(const Measured& measured, const SurfaceReferences& references,
                                           const Options& options, Refine refine, const Context& context,
                                           StageClock& clock) {
-  constexpr double kPlainlyBetter = 0.5;
-  const auto survey = [&](SymmetryKind kind, double begin, double end) {
+  constexpr double kPlainlyBetter = 0.5,
+                   kRefined = 1.2;  // what refinement of the samples' partners may make of a score
+  const auto survey = [&](SymmetryKind kind, double begin, double end, double hopeless = INFINITY) {
     return std::make_unique<Survey>(
-        survey_kind(measured, references, kind, options, refine, context.part(begin, end), clock));
+        survey_kind(measured, references, kind, options, refine, hopeless, context.part(begin, end), clock));
   };
   const auto score = [](const Survey& s) { return s.ranking.empty() ? INFINITY : s.ranking[0].score; };
   if (options.symmetry != SymmetryKind::any) return survey(options.symmetry, 0, 1);
   const bool given = !references.axis.empty() || !references.pairs.empty();
   auto reflections = survey(SymmetryKind::reflection, 0, given ? 1 : 0.5);
   if (given || score(*reflections) < kFits) return reflections;
-  auto rotations = survey(SymmetryKind::rotation, 0.5, 1);
+  auto rotations = survey(SymmetryKind::rotation, 0.5, 1, kRefined * kPlainlyBetter * score(*reflections));
   return score(*rotations) < kPlainlyBetter * score(*reflections) ? std::move(rotations) : std::move(reflections);
 }
 
@@ -349,8 +366,8 @@ std::vector<FoundSymmetry> list_symmetries(const TriangleMesh& mesh, Options opt
   std::vector<FoundSymmetry> out;
   for (SymmetryKind kind : {SymmetryKind::reflection, SymmetryKind::rotation}) {
     const double begin = kind == SymmetryKind::reflection ? 0.5 : 0.75;
-    const Survey survey =
-        survey_kind(measured, references, kind, options, Refine::all, context.part(begin, begin + 0.25), clock);
+    const Survey survey = survey_kind(measured, references, kind, options, Refine::all, INFINITY,
+                                      context.part(begin, begin + 0.25), clock);
     int rank = 0;
     for (const Candidate& c : survey.ranking) out.push_back({kind, c.order, ++rank, c.score});
   }

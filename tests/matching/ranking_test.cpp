@@ -222,6 +222,33 @@ TEST(RankMaps, ReferencesSayWhichWayARotationTurns) {
   }
 }
 
+// A torus has mirror planes without end: that through the references is meant, and not one near it.
+TEST(RankMaps, TheNearestToTheReferencesIsFirstWhereAllFit) {
+  const Scene& s = torus();
+  const auto mirrored = [](int v, int plane) { return (plane + kAround - v / kAlong) % kAround * kAlong + v % kAlong; };
+  const auto map = [&](int plane) { return s.map_by([&](int v) { return mirrored(v, plane); }); };
+  constexpr int kPlane = 8;
+  const std::vector<int> from{2 * kAlong, 12 * kAlong + 3};
+  const std::vector<int> to{mirrored(from[0], kPlane), mirrored(from[1], kPlane)};
+  Matching m = s.matching(true);
+  SampleMap itself(s.sites.samples);
+  for (int i = 0; i < s.sites.samples; ++i) itself[i] = i;
+  m.landmarks = images_of(itself, s.sites, {from, s.of.solver.fields(from, 1)});
+  m.fixed = 2;
+  const Landmarks kept{to, s.of.solver.fields(to, 1)};
+  const auto candidates = candidates_of(m, s.sites, {map(kPlane), map(kPlane + 1)}, kept, 1);
+  EXPECT_LT(2 * candidates[0].off_references, candidates[1].off_references);
+  for (const std::vector<SampleMap>& maps :
+       {std::vector{map(kPlane), map(kPlane + 1)}, std::vector{map(kPlane - 1), map(kPlane + 1), map(kPlane)}}) {
+    const auto ranking = rank_maps(m, s.sites, maps, kept, Refine::contenders, 1);
+    ASSERT_FALSE(ranking.empty());
+    double off = 0;
+    for (int i = 0; i < s.sites.samples; ++i)
+      off += ranking[0].images.field(i, mirrored(s.sites.vertex[i], kPlane)) / s.of.surface.unit() / s.sites.samples;
+    EXPECT_LT(off, 0.05);
+  }
+}
+
 TEST(Confidence, GrowsWithTheLeadOfTheBest) {
   const auto confidence = [](const std::vector<double>& scores) {
     std::vector<Candidate> ranking;

@@ -186,6 +186,22 @@ TEST(Evolve, SuccessThresholdStopsAtOnce) {
   EXPECT_EQ(result.log.size(), 1u);
 }
 
+TEST(Evolve, EndsWhenItIsEnough) {
+  const FindNumber problem;
+  Random random(1);
+  std::vector<int> asked;
+  const GeneticRun<int> result =
+      evolve(problem, start(), {}, random, {}, {}, {[&](int generation, const Population<int>& population) {
+               EXPECT_EQ(population.size(), start().size());
+               for (const auto& individual : population) EXPECT_TRUE(individual.evaluated);
+               asked.push_back(generation);
+               return generation == 2;
+             }});
+  EXPECT_EQ(asked, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(result.stop, StopReason::success_threshold);
+  EXPECT_EQ(result.log.size(), 3u);
+}
+
 TEST(Evolve, NoGenerationsLeaveTheInitialOneEvaluated) {
   const FindNumber problem;
   GeneticOptions options;

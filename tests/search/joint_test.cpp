@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "scene.h"
 
@@ -55,6 +56,33 @@ TEST(SearchJoint, AFurtherSeedMayBeTheAnswer) {
   EXPECT_LE(with.scores[0], 1.05 * p.evaluate(improved, 0)) << "it starts at the samples nearest to the seed's sites";
   EXPECT_LE(with.scores[0], 1.05 * without.scores[0]) << "more seeds compete for the same places";
   EXPECT_LT(map_distance(search_scene().sites, with.maps[0], truth), 0.1);
+}
+
+TEST(SearchJoint, EndsOnceItIsEnough) {
+  const JointProblem p = problem({});
+  int asked = 0;
+  const auto search = [&](int enough_at) {
+    Random random(3);
+    asked = 0;
+    return search_joint(p, random, 2, {}, {}, [&](const std::vector<SampleMap>& best) {
+      EXPECT_FALSE(best.empty());
+      EXPECT_LE(best.size(), 3u);
+      for (std::size_t i = 1; i < best.size(); ++i) {
+        EXPECT_LE(p.cost().score(best[i - 1]), p.cost().score(best[i]));
+        EXPECT_GT(map_distance(search_scene().sites, best[i - 1], best[i]), 0.1);
+      }
+      return ++asked == enough_at;
+    });
+  };
+  const JointResult ended = search(2);
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(ended.stop, StopReason::success_threshold);
+  EXPECT_EQ(ended.log.back().generation, 10);
+  const JointResult whole = search(0);
+  EXPECT_GE(asked, 3);
+  EXPECT_NE(whole.stop, StopReason::success_threshold);
+  Random random(3);
+  EXPECT_EQ(whole.maps, search_joint(p, random, 2).maps) << "to ask changes nothing";
 }
 
 }  // namespace

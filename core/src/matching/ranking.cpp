@@ -17,6 +17,8 @@ constexpr int kMaxOrder = 12;           // of rotations: of more sides than a do
 constexpr double kReturned = 0.1;       // mean distance, in units, at which samples are back: that between neighbours;
                                         // each application adds to it, as partners are taken by the nearest sample
 constexpr std::size_t kContenders = 8;  // survivors taken to vertex resolution to find the best
+constexpr int kFirst = 2;               // of those, before the rest
+constexpr double kWrong = 0.2;          // score of a map that is none: what no symmetry is found for has such maps, too
 constexpr double kTurned = 10;  // times its share of the surface: how much what is wrongly turned adds to the score
 // How far off distances around a reference are, on average, where it goes elsewhere: more than lies between samples,
 // and between sites before refinement.
@@ -38,22 +40,32 @@ int order_of(const Sites& sites, const SampleMap& map) {
   return 0;
 }
 
-// Whether the samples around a reference go elsewhere than around its image: then the map is not the one that is meant.
-// @param elsewhere  units, mean difference of distances
-bool against_references(const Matching& m, const Images& images, double elsewhere) {
+// How far the samples around the references go elsewhere than around their images: root mean square over the references
+// of the mean difference of distances, in units; +inf if one is off by more than `elsewhere`: not the map that is
+// meant.
+double off_references(const Matching& m, const Images& images, double elsewhere) {
   constexpr int kAround = 6;
-  const int samples = m.movable();
+  const int samples = m.movable(), around = std::min(kAround, samples);
   std::vector<std::pair<float, int>> near(samples);
+  double squares = 0;
   for (int t = samples; t < m.count(); ++t) {
     for (int i = 0; i < samples; ++i) near[i] = {m.landmarks.field(t, m.landmarks.vertex[i]), i};
-    const int around = std::min(kAround, samples);
     std::partial_sort(near.begin(), near.begin() + around, near.end());
     double off = 0;
     for (int k = 0; k < around; ++k)
       off += std::abs(near[k].first - images.field(t, images.vertex[near[k].second])) / m.surface.unit() / around;
-    if (off > elsewhere) return true;
+    if (off > elsewhere) return INFINITY;
+    squares += off * off;
   }
-  return false;
+  return std::sqrt(squares / std::max(1, m.fixed));
+}
+
+// How many times worse a map is for that. On what has symmetries without end, like a glass, nothing else tells which of
+// them is meant.
+double reference_factor(double off) {
+  constexpr double kOff = 0.05;  // units: twice as bad
+  const double more = std::max(0.0, off - kReferenceSlack);
+  return 1 + more * more / (kOff * kOff);
 }
 
 // Whether a reference goes to another place: then it is the user who says which way round.
@@ -102,7 +114,8 @@ Images images_of(const SampleMap& map, const Sites& sites, const Landmarks& refe
 }
 
 Mirrored mirrored_by(const Matching& m, const std::vector<int>& vertices, const std::vector<SurfacePoint>& partners) {
-  constexpr double kCap = 0.04;  // squared units: what one side lacks says nothing of the rest
+  constexpr double kCap = 0.04;       // squared units: what one side lacks says nothing of the rest
+  constexpr double kNoMirror = 0.16;  // units away: fitting a plane makes no mirror of it
   std::vector<Eigen::Vector3d> from, to;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     from.emplace_back(m.surface.point(vertices[i]));
@@ -110,11 +123,17 @@ Mirrored mirrored_by(const Matching& m, const std::vector<int>& vertices, const 
     for (int k = 0; k < 3; ++k) at += partners[i].weight[k] * Eigen::Vector3d(m.surface.point(partners[i].vertex[k]));
     to.push_back(at);
   }
-  Mirrored out{m.planes->fitted(MirrorPlanes::between(from, to)), 0};
-  double sum = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    sum += std::min(kCap, (out.plane.mirror(from[i]) - to[i]).squaredNorm() / m.surface.area);
-  out.away = std::sqrt(sum / static_cast<double>(from.size()));
+  const auto away = [&](const MirrorPlane& plane) {
+    double sum = 0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+      sum += std::min(kCap, (plane.mirror(from[i]) - to[i]).squaredNorm() / m.surface.area);
+    return std::sqrt(sum / static_cast<double>(from.size()));
+  };
+  Mirrored out{MirrorPlanes::between(from, to), 0};
+  out.away = away(out.plane);
+  if (out.away > kNoMirror) return out;
+  out.plane = m.planes->fitted(out.plane);
+  out.away = away(out.plane);
   return out;
 }
 
@@ -201,41 +220,63 @@ bool inverse_symmetries(const Matching& m, const Sites& sites, const Images& a, 
   return away < kBack * m.surface.unit() * sites.samples;
 }
 
+std::vector<Candidate> candidates_of(const Matching& m, const Sites& sites, const std::vector<SampleMap>& maps,
+                                     const Landmarks& reference_images, int threads) {
+  std::vector<Candidate> out(maps.size());
+  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
+    Candidate& c = out[i];
+    c.images = images_of(maps[i], sites, reference_images);
+    c.order = m.reflection ? 2 : order_of(sites, maps[i]);
+    c.off_references = off_references(m, c.images, kElsewhereAtSites);
+    c.score = std::isfinite(c.off_references) ? reference_factor(c.off_references) * disagreement(m, sites, c.images)
+                                              : INFINITY;
+  });
+  return out;
+}
+
 std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const std::vector<SampleMap>& maps,
                                  const Landmarks& reference_images, Refine refine, int threads,
                                  const Context& context) {
   const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
-  std::vector<Candidate> survivors(maps.size());
-  parallel_for(static_cast<int>(maps.size()), threads, [&](int i, int) {
-    Candidate& c = survivors[i];
-    c.images = images_of(maps[i], sites, reference_images);
-    c.order = m.reflection ? 2 : order_of(sites, maps[i]);
-    c.score = against_references(m, c.images, kElsewhereAtSites) ? INFINITY : disagreement(m, sites, c.images);
-  });
+  std::vector<Candidate> survivors = candidates_of(m, sites, maps, reference_images, threads);
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   if (refine == Refine::contenders) survivors.resize(std::min(kContenders, survivors.size()));
   std::vector<int> all(m.surface.vertices());
   std::iota(all.begin(), all.end(), 0);
-  const double close = survivors.empty() ? 0 : kClose * survivors[0].score;
-  parallel_for(static_cast<int>(survivors.size()), threads, [&](int i, int worker) {
-    if (worker == 0) context.advance(i / static_cast<double>(survivors.size()));  // the calling thread
-    if (context.cancelled()) throw Cancelled();
+  const auto look_closer = [&](int i, double close) {
     Candidate& c = survivors[i];
     if (!std::isfinite(c.score)) return;
     const bool refined = refine == Refine::all || c.score < close;
     if (refined) c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
-    if (refined && against_references(m, c.images, kElsewhere)) {
+    if (refined) c.off_references = off_references(m, c.images, kElsewhere);
+    if (!std::isfinite(c.off_references)) {
       c.score = INFINITY;
       return;
     }
+    const double references = reference_factor(c.off_references);
     if (m.surface.orientable) {
       const Probes probes = match_probes(m, c.images, all);
-      if (refined) c.score = disagreement_by(m, sites, of_sites(sites, probes));
+      if (refined) c.score = references * disagreement_by(m, sites, of_sites(sites, probes));
       c.score *= 1 + kTurned * wrongly_turned(m, probes);
     } else if (refined) {
-      c.score = disagreement(m, sites, c.images);
+      c.score = references * disagreement(m, sites, c.images);
     }
-  });
+  };
+  const int count = static_cast<int>(survivors.size());
+  const double close = survivors.empty() ? 0 : kClose * survivors[0].score;
+  const auto look_closer_at = [&](int begin, int end, double most) {
+    parallel_for(end - begin, threads, [&](int i, int worker) {
+      if (worker == 0) context.advance((begin + i) / static_cast<double>(count));  // the calling thread
+      if (context.cancelled()) throw Cancelled();
+      if (survivors[begin + i].score < most) look_closer(begin + i, close);
+    });
+  };
+  // The first ones tell which of the rest can still be the best, or so near that confidence depends on it.
+  const int first = std::min(kFirst, count);
+  look_closer_at(0, first, INFINITY);
+  double best = INFINITY;
+  for (int i = 0; i < first; ++i) best = std::min(best, survivors[i].score);
+  look_closer_at(first, count, refine == Refine::all ? INFINITY : std::max(kWrong, kClose * best));
   std::stable_sort(survivors.begin(), survivors.end(), by_score);
   // What is none counts only where there is nothing else.
   if (!survivors.empty() && std::isfinite(survivors[0].score))
@@ -260,7 +301,6 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
 double confidence_of(const std::vector<Candidate>& ranking) {
   // Logistic regression on whether answers were right; docs/search.md says on which, and how well it holds on others.
   constexpr double kNearTie = 0.2, kLead = 3.4;
-  constexpr double kWrong = 0.2;   // score of a map that is none: what no symmetry is found for has such maps, too
   constexpr double kExact = 1e-6;  // below, scores are rounding
   if (ranking.empty()) return 0;
   const double best = std::max(kExact, ranking[0].score);

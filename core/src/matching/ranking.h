@@ -12,16 +12,20 @@
 
 namespace ga_symmetry {
 
+/// Distance, in units, by which a map may pass by the references: poses move them by some 0.01.
+constexpr double kReferenceSlack = 0.03;
+
 /// A map of the samples that may be the symmetry.
 struct Candidate {
-  Images images;     ///< of the landmarks
-  int order = 0;     ///< applied so often it is the identity, 0 = not within twelve times
-  double score = 0;  ///< >= 0, lower is better
+  Images images;              ///< of the landmarks
+  int order = 0;              ///< applied so often it is the identity, 0 = not within twelve times
+  double score = 0;           ///< >= 0, lower is better
+  double off_references = 0;  ///< how far it is from where the references go: units, >= 0
 };
 
 /// The plane that comes nearest to a map.
 struct Mirrored {
-  MirrorPlane plane;  ///< fitted to the surface
+  MirrorPlane plane;  ///< fitted to the surface, unless it is far off
   double away = 0;  ///< root mean square distance from mirrored points to their partners, each capped at 0.2, in units
 };
 /// @param partners  of the vertices
@@ -49,6 +53,10 @@ bool same_symmetry(const Matching& matching, const Sites& sites, const Images& a
 
 /// Whether one map takes the samples back to where the other has taken them from, but for noise.
 bool inverse_symmetries(const Matching& matching, const Sites& sites, const Images& a, const Images& b);
+
+/// The maps as the search has left them, scored by their disagreement; +inf where references go elsewhere.
+std::vector<Candidate> candidates_of(const Matching& matching, const Sites& sites, const std::vector<SampleMap>& maps,
+                                     const Landmarks& reference_images, int threads);
 
 enum class Refine {
   contenders,  ///< the best few, and of them those that may be the best: enough to know which is

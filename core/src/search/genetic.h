@@ -124,11 +124,13 @@ void evaluate(const Problem& problem, Population<Genome>& population, const Gene
 /// Genomes are ordered by <, for the diversity.
 /// @param initial  not empty
 /// @param observe  called after every generation, the initial one included; may be empty
+/// @param enough  asked after every generation, the initial one included, whether it is the last; may be empty
 /// @throws Cancelled
 template <class Problem, class Genome>
 GeneticRun<Genome> evolve(const Problem& problem, Population<Genome> initial, const GeneticOptions& options,
                           Random& random, const Context& context = {},
-                          const std::function<void(const GenerationLog&)>& observe = {}) {
+                          const std::function<void(const GenerationLog&)>& observe = {},
+                          const std::function<bool(int generation, const Population<Genome>&)>& enough = {}) {
   GeneticRun<Genome> run;
   run.population = std::move(initial);
   evaluate(problem, run.population, options, context);
@@ -141,7 +143,7 @@ GeneticRun<Genome> evolve(const Problem& problem, Population<Genome> initial, co
     if (observe) observe(run.log.back());
     if (context.cancelled()) throw Cancelled();
     std::optional<StopReason> stop;
-    if (best <= options.success_threshold)
+    if (best <= options.success_threshold || (enough && enough(generation, run.population)))
       stop = StopReason::success_threshold;
     else if (generation >= options.max_generations)
       stop = StopReason::max_generations;

@@ -43,11 +43,14 @@ Population<SampleMap> JointProblem::replace(Population<SampleMap> parents, Popul
 }
 
 JointResult search_joint(const JointProblem& problem, Random& random, int threads, const Context& context,
-                         std::vector<SampleMap> seeds) {
+                         std::vector<SampleMap> seeds, const Enough& enough) {
   constexpr double kSeeded = 0.5;        // progress
   constexpr int kStallGenerations = 20;  // half the default number of generations; with 10 two maps of 22 stop half way
   constexpr double kDistinct = 0.04;     // units: also maps that differ in a limb alone, for the choice among them
   constexpr int kSurvivors = 30;         // as many as `rank` may ask for
+  constexpr int kAsked = 5;          // whether it is enough after so many generations, and again after twice as many
+  constexpr std::size_t kShown = 3;  // maps, with this between them, in units: more than a limb
+  constexpr double kDistinctAsked = 0.1;
   const JointOptions& options = problem.options();
   const Sites& sites = problem.cost().sites();
   Population<SampleMap> population =
@@ -60,7 +63,16 @@ JointResult search_joint(const JointProblem& problem, Random& random, int thread
   const auto tell = [&](const GenerationLog& log) {
     context.report(kSeeded + (1 - kSeeded) * log.generation / std::max(1, options.max_generations), "search");
   };
-  GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context, tell);
+  int next = kAsked;
+  const auto asked = [&](int generation, Population<SampleMap> now) {
+    if (!enough || generation < next) return false;
+    next *= 2;
+    sort_by_cost(now);
+    std::vector<SampleMap> best;
+    for (auto& individual : distinct(sites, now, kDistinctAsked, kShown)) best.push_back(std::move(individual.genome));
+    return enough(best);
+  };
+  GeneticRun<SampleMap> run = evolve(problem, std::move(population), genetic, random, context, {tell}, {asked});
   JointResult result;
   result.log = std::move(run.log);
   result.stop = run.stop;

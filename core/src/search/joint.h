@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The joint search: one individual is a partner for every sample at once.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "ga_symmetry/context.h"
@@ -48,10 +49,14 @@ struct JointResult {
   StopReason stop = StopReason::max_generations;
 };
 
+/// Whether the best distinct maps so far, lowest cost first, make further generations needless.
+using Enough = std::function<bool(const std::vector<SampleMap>& best)>;
+
 /// Seeds coherent maps, evolves them, and returns the distinct survivors.
-/// @param seeds  further whole maps to start from
+/// @param seeds   further whole maps to start from
+/// @param enough  asked after 5 generations, 10, 20 and so on; empty = never
 /// @throws Cancelled
 JointResult search_joint(const JointProblem& problem, Random& random, int threads, const Context& context = {},
-                         std::vector<SampleMap> seeds = {});
+                         std::vector<SampleMap> seeds = {}, const Enough& enough = {});
 
 }  // namespace ga_symmetry

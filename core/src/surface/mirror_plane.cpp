@@ -60,33 +60,40 @@ struct MirrorPlanes::Impl {
   Places all, few;  // of all vertices of the surface, and of the spaced ones
   std::unique_ptr<Tree> tree;
 
-  // @return squared distance through space along the normal found, and across it where that is more than the vertices
-  // are apart
+  // @param found  a vertex that may be near, which saves most of the search; becomes the nearest
+  // @return       squared distance to it
   float nearest(const Place& p, Eigen::Index& found) const {
-    float squared;
-    tree->query(p.data(), 1, &found, &squared);
+    float squared = 0;
+    Eigen::Index hint = found;
+    nanoflann::KNNResultSet<float, Eigen::Index> result(1);
+    result.init(&found, &squared);
+    result.addPoint((p - all.col(hint)).squaredNorm(), hint);
+    tree->index->findNeighbors(result, p.data(), nanoflann::SearchParams());
     return squared;
   }
-  float misfit(const Plane& plane, const Places& probes) const {
+  // Root mean square of the distances along the normals found, and across them where that is more than the vertices are
+  // apart.
+  // @param found  per spaced vertex: as `nearest` takes it
+  float misfit(const Plane& plane, std::vector<Eigen::Index>& found) const {
     float sum = 0;
-    for (Eigen::Index i = 0; i < probes.cols(); ++i) {
-      const Place p = plane.mirror(probes.col(i));
-      Eigen::Index j = 0;
+    for (Eigen::Index i = 0; i < few.cols(); ++i) {
+      const Place p = plane.mirror(few.col(i));
+      Eigen::Index& j = found[i];
       nearest(p, j);
       const Eigen::Vector3f d = p.head<3>() - all.col(j).head<3>(), n = all.col(j).tail<3>() / kTurned;
       const float along = n.dot(d), across = std::max(0.f, (d - along * n).norm() - spacing);
       sum += std::min(kCap, along * along + across * across);
     }
-    return std::sqrt(sum / static_cast<float>(probes.cols()));
+    return std::sqrt(sum / static_cast<float>(few.cols()));
   }
   float spacing = 0;  // of the vertices, in units
 
   // One Gauss-Newton step on the distances from mirrored points to the tangent planes at the points nearest to them
   // (Chen & Medioni 1992): unlike distances between points they let round parts slide. The worst half in doubt is left
   // out. @return false once the plane stands still or has lost its way
-  bool fit(Plane& plane) const {
+  // @param found  per spaced vertex: as `nearest` takes it
+  bool fit(Plane& plane, std::vector<Eigen::Index>& found) const {
     const Eigen::Index n = few.cols();
-    std::vector<Eigen::Index> found(n);
     std::vector<float> cost(n);
     for (Eigen::Index i = 0; i < n; ++i) cost[i] = nearest(plane.mirror(few.col(i)), found[i]);
     std::vector<float> sorted = cost;
@@ -117,9 +124,10 @@ struct MirrorPlanes::Impl {
   // As many steps as it takes, then the misfit.
   void fit_fully(Plane& plane) const {
     constexpr int kSteps = 12;
-    for (int step = 0; step < kSteps && fit(plane); ++step) {
+    std::vector<Eigen::Index> found(few.cols(), 0);
+    for (int step = 0; step < kSteps && fit(plane, found); ++step) {
     }
-    plane.misfit = misfit(plane, few);
+    plane.misfit = misfit(plane, found);
   }
   Plane of_points(const MirrorPlane& p) const {
     return {p.normal.cast<float>(), static_cast<float>((p.offset - p.normal.dot(mean)) / unit), 0};
