@@ -77,7 +77,8 @@ void dense_map(benchmark::State& state) {
   HeatDiffusion diffusion(s.surface);
   const CurvatureFeatures curvature = curvature_features(s.surface, diffusion);
   const Shortcuts none;
-  const Matching matching{s.surface, s.solver, none, curvature, images_of(s.itself, s.sites, {}), 0, true};
+  const FieldCache fields(s.solver);
+  const Matching matching{s.surface, fields, none, curvature, images_of(s.itself, s.sites, {}), 0, true};
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(make_dense_map(matching, matching.landmarks, {true, false}, 1));
   state.counters["vertices"] = s.surface.vertices();

@@ -94,6 +94,7 @@ struct Measured {
   Measured(const Surface& surface, const Options& options, const Context& context)
       : surface(surface),
         solver(surface),
+        fields(solver),
         shortcuts(surface, solver, options.threads, context.part(0, 0.2, "distances")),
         sites(make_sites(surface, solver, {options.joint.samples, options.joint.sites, kNeighbors}, options.threads,
                          shortcuts, context.part(surface.closed ? 0 : 0.2, 1, "distances"))),
@@ -103,6 +104,7 @@ struct Measured {
 
   const Surface& surface;
   GeodesicSolver solver;
+  FieldCache fields;
   Shortcuts shortcuts;
   Sites sites;
   HeatDiffusion diffusion;
@@ -137,7 +139,7 @@ Survey survey_kind(const Measured& measured, const SurfaceReferences& references
   if (kind == SymmetryKind::reflection)
     for (const MirrorPlane& plane : measured.planes.search(kPlanes, options.threads))
       seeds.push_back(measured.planes.map(plane, sites.samples));
-  Survey out{{measured.surface, measured.solver, measured.shortcuts, measured.curvature,
+  Survey out{{measured.surface, measured.fields, measured.shortcuts, measured.curvature,
               make_landmarks(sites, anchors.from), anchors.count(), kind == SymmetryKind::reflection, &measured.planes},
              {},
              {},

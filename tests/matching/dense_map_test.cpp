@@ -102,7 +102,7 @@ TEST(DenseMap, FacesTurnedOverChangeNothingAtABorder) {
     const Matching m = s.matching(40);
     // The sign of the curvature turns with the faces.
     const CurvatureFeatures none = CurvatureFeatures::Zero(s.surface.vertices(), kCurvatureFeatures);
-    maps.push_back(make_dense_map({s.surface, s.solver, s.shortcuts, none, m.landmarks, 0, true}, s.truth(m.landmarks),
+    maps.push_back(make_dense_map({s.surface, s.fields, s.shortcuts, none, m.landmarks, 0, true}, s.truth(m.landmarks),
                                   {true, false}, 1));
   }
   int differ = 0, otherwise_sure = 0;

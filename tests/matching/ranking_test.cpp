@@ -22,7 +22,7 @@ struct Scene {
   Matching matching(bool reflection) const {
     SampleMap itself(sites.samples);
     for (int i = 0; i < sites.samples; ++i) itself[i] = i;
-    return {of.surface, of.solver, of.shortcuts, of.curvature, images_of(itself, sites, no_references), 0, reflection};
+    return {of.surface, of.fields, of.shortcuts, of.curvature, images_of(itself, sites, no_references), 0, reflection};
   }
   // The site nearest to where each sample goes.
   template <class To>

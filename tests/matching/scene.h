@@ -13,6 +13,7 @@ struct MatchingScene {
   shapes::Symmetric shape;
   Surface surface = make_surface(shape.mesh);
   GeodesicSolver solver{surface};
+  FieldCache fields{solver};
   Shortcuts shortcuts;
   HeatDiffusion diffusion{surface};
   CurvatureFeatures curvature = curvature_features(surface, diffusion);
@@ -20,7 +21,7 @@ struct MatchingScene {
   explicit MatchingScene(shapes::Symmetric of) : shape(std::move(of)) {}
 
   Matching matching(int landmarks, int fixed = 0) const {
-    return {surface, solver, shortcuts, curvature, evenly_spaced_samples(surface, solver, landmarks, 1), fixed, true};
+    return {surface, fields, shortcuts, curvature, evenly_spaced_samples(surface, solver, landmarks, 1), fixed, true};
   }
   Images images(const std::vector<int>& vertices) const { return {vertices, solver.fields(vertices, 1)}; }
   /// The true images of landmarks.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the partners of all vertices are found with, once the samples have theirs.
 #pragma once
-#include "geodesics/geodesics.h"
+#include "geodesics/field_cache.h"
 #include "geodesics/shortcuts.h"
 #include "surface/curvature.h"
 #include "surface/mirror_plane.h"
@@ -13,7 +13,7 @@ namespace ga_symmetry {
 /// What it refers to must outlive it.
 struct Matching {
   const Surface& surface;
-  const GeodesicSolver& solver;
+  const FieldCache& fields;
   const Shortcuts& shortcuts;            ///< through what is missing of the surface
   const CurvatureFeatures& curvature;    ///< of all vertices
   Landmarks landmarks;                   ///< the samples, then the user's references

@@ -13,11 +13,11 @@ namespace ga_symmetry {
 namespace {
 
 // Computes the fields of the images that have moved.
-void update_fields(const GeodesicSolver& solver, Images& images, const std::vector<int>& moved, int threads,
+void update_fields(const FieldCache& fields, Images& images, const std::vector<int>& moved, int threads,
                    const Context& context) {
   std::vector<int> sources;
   for (int i : moved) sources.push_back(images.vertex[i]);
-  const DistanceFields field = solver.fields(sources, threads, {nullptr, context.cancel});
+  const DistanceFields field = fields.fields(sources, threads, {nullptr, context.cancel});
   for (std::size_t k = 0; k < moved.size(); ++k) images.field.row(moved[k]) = field.row(static_cast<int>(k));
 }
 
@@ -194,7 +194,7 @@ Images refine_images(const Matching& m, Images images, int threads, const Contex
     images.vertex[i] = better;
     moved.push_back(i);
   }
-  update_fields(m.solver, images, moved, threads, context);
+  update_fields(m.fields, images, moved, threads, context);
   return images;
 }
 
@@ -215,7 +215,7 @@ Images adjust_images(const Matching& m, Images images, const AdjustOptions& opti
     Images next = images;
     const std::vector<int> moved = adjustment.step(images, features, damping, next.vertex);
     if (moved.empty()) break;
-    update_fields(m.solver, next, moved, threads, context);
+    update_fields(m.fields, next, moved, threads, context);
     const double now = adjustment.stress(next);
     fresh = now < stress;
     const bool last = fresh && stress - now < kWorthwhile * stress;
