@@ -60,7 +60,7 @@ namespace {
 constexpr int kNeighbors = 8;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
-constexpr double kDoubtful = 0.75;  // confidence below which the user is told to look: docs/search.md
+constexpr double kDoubtful = 0.7;  // confidence below which the user is told to look: docs/search.md
 // Weight of the curvature in the second adjustment. In the first it has none: from afar it leads to the wrong place.
 constexpr double kAdjustCurvature = 0.006;
 

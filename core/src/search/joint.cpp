@@ -64,9 +64,10 @@ JointResult search_joint(const JointProblem& problem, Random& random, int thread
     context.report(kSeeded + (1 - kSeeded) * log.generation / std::max(1, options.max_generations), "search");
   };
   int next = kAsked;
-  const auto asked = [&](int generation, Population<SampleMap> now) {
-    if (!enough || generation < next) return false;
+  const auto asked = [&](int generation, const Population<SampleMap>& present) {
+    if (!enough || generation < next || generation >= options.max_generations) return false;
     next *= 2;
+    Population<SampleMap> now = present;
     sort_by_cost(now);
     std::vector<SampleMap> best;
     for (auto& individual : distinct(sites, now, kDistinctAsked, kShown)) best.push_back(std::move(individual.genome));

@@ -54,7 +54,7 @@ using Enough = std::function<bool(const std::vector<SampleMap>& best)>;
 
 /// Seeds coherent maps, evolves them, and returns the distinct survivors.
 /// @param seeds   further whole maps to start from
-/// @param enough  asked after 5 generations, 10, 20 and so on; empty = never
+/// @param enough  asked after 5 generations, 10, 20 and so on, but for the last; empty = never
 /// @throws Cancelled
 JointResult search_joint(const JointProblem& problem, Random& random, int threads, const Context& context = {},
                          std::vector<SampleMap> seeds = {}, const Enough& enough = {});
