@@ -80,7 +80,7 @@ void dense_map(benchmark::State& state) {
   const FieldCache fields(s.solver);
   const Matching matching{s.surface, fields, none, curvature, images_of(s.itself, s.sites, {}), 0, true};
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(make_dense_map(matching, matching.landmarks, {true, false}, 1));
+    benchmark::DoNotOptimize(make_dense_map(matching, matching.landmarks, {true, true, false}, 1));
   state.counters["vertices"] = s.surface.vertices();
 }
 BENCHMARK(dense_map)->Unit(benchmark::kMillisecond);

@@ -61,8 +61,6 @@ constexpr int kNeighbors = 8;
 constexpr const char* kNoSymmetry =
     "no symmetry found: give four (other) references, or search for the other kind of symmetry";
 constexpr double kDoubtful = 0.7;  // confidence below which the user is told to look: docs/search.md
-// Weight of the curvature in the second adjustment. In the first it has none: from afar it leads to the wrong place.
-constexpr double kAdjustCurvature = 0.006;
 
 // Scores: some 0.02 where the pose is symmetric, too, 0.05 to 0.15 in hard poses, seldom more; of wrong maps mostly
 // above this. What is searched for in vain costs time alone.
@@ -249,8 +247,9 @@ SurfaceResult find_jointly(const Surface& surface, const SurfaceReferences& refe
   clock.stage_done("refinement");
 
   context.report(0.8, "dense map");
-  DenseMap map = make_dense_map(matching, images, {options.noise_filter, options.spectral_refinement}, options.threads,
-                                context.part(0.8, 0.95, "dense map"));
+  DenseMap map =
+      make_dense_map(matching, images, {options.local_refinement, options.noise_filter, options.spectral_refinement},
+                     options.threads, context.part(0.8, 0.95, "dense map"));
   clock.stage_done("dense map");
 
   context.report(0.95, "axis");

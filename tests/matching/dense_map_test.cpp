@@ -44,7 +44,7 @@ TEST(DenseMap, IsTheTruthWhereTheLandmarksAre) {
   const MatchingScene& s = creature_scene();
   const Matching m = s.matching(60);
   for (const bool filter : {false, true}) {
-    const DenseMap map = make_dense_map(m, s.truth(m.landmarks), {filter, false}, 1);
+    const DenseMap map = make_dense_map(m, s.truth(m.landmarks), {true, filter, false}, 1);
     int wrong = 0;
     for (int v = 0; v < s.surface.vertices(); ++v) wrong += map.partner[v] != s.shape.partner[v];
     EXPECT_EQ(wrong, 0) << filter;
@@ -70,8 +70,8 @@ TEST(DenseMap, StaysNearTheTruthThoughLandmarksAreOff) {
     images.vertex[i] = s.surface.triangle[next_corner(s.surface.corner_at[s.surface.first_corner[images.vertex[i]]])];
   images.field = s.solver.fields(images.vertex, 1);
   // An edge is about 0.03 units long.
-  EXPECT_LT(s.error(make_dense_map(m, images, {false, false}, 1).partner), 0.02);
-  EXPECT_LT(s.error(make_dense_map(m, images, {true, false}, 1).partner), 0.02);
+  EXPECT_LT(s.error(make_dense_map(m, images, {true, false, false}, 1).partner), 0.02);
+  EXPECT_LT(s.error(make_dense_map(m, images, {true, true, false}, 1).partner), 0.02);
 }
 
 TEST(DenseMap, TheResidualIsThatOfThePartnerWithAndWithoutTheNoiseFilter) {
@@ -81,7 +81,7 @@ TEST(DenseMap, TheResidualIsThatOfThePartnerWithAndWithoutTheNoiseFilter) {
   const Features features = make_tight_features(m, images, 1);
   Matcher matcher(s.surface, features, kFine);
   for (const bool filter : {false, true}) {
-    const DenseMap map = make_dense_map(m, images, {filter, false}, 1);
+    const DenseMap map = make_dense_map(m, images, {true, filter, false}, 1);
     for (int v = 0; v < s.surface.vertices(); ++v) {
       matcher.look_at(v);
       ASSERT_EQ(map.residual[v], matcher.error(map.partner[v])) << v << (filter ? " filtered" : "");
@@ -103,7 +103,7 @@ TEST(DenseMap, FacesTurnedOverChangeNothingAtABorder) {
     // The sign of the curvature turns with the faces.
     const CurvatureFeatures none = CurvatureFeatures::Zero(s.surface.vertices(), kCurvatureFeatures);
     maps.push_back(make_dense_map({s.surface, s.fields, s.shortcuts, none, m.landmarks, 0, true}, s.truth(m.landmarks),
-                                  {true, false}, 1));
+                                  {true, true, false}, 1));
   }
   int differ = 0, otherwise_sure = 0;
   for (std::size_t v = 0; v < maps[0].partner.size(); ++v) {
@@ -118,7 +118,8 @@ TEST(DenseMap, ThreadsChangeNothing) {
   const MatchingScene& s = creature_scene();
   const Matching m = s.matching(30);
   const Images images = s.truth(m.landmarks);
-  const DenseMap one = make_dense_map(m, images, {true, false}, 1), four = make_dense_map(m, images, {true, false}, 4);
+  const DenseMap one = make_dense_map(m, images, {true, true, false}, 1),
+                 four = make_dense_map(m, images, {true, true, false}, 4);
   EXPECT_EQ(one.partner, four.partner);
   EXPECT_EQ(one.uncertainty, four.uncertainty);
 }

@@ -21,7 +21,7 @@ double mean(const std::vector<double>& values) {
 struct Mapped {
   MatchingScene scene{shapes::shuffled(shapes::creature(4), 5)};
   Matching matching = scene.matching(60);
-  DenseMap truth = make_dense_map(matching, scene.truth(matching.landmarks), {true, false}, 1);
+  DenseMap truth = make_dense_map(matching, scene.truth(matching.landmarks), {true, true, false}, 1);
 };
 
 TEST(VertexFitness, IsNearZeroForAPerfectMap) {

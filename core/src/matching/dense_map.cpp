@@ -4,10 +4,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ga_symmetry/errors.h"
 #include "matching/face_point.h"
 #include "matching/matcher.h"
+#include "matching/refinement.h"
 #include "matching/spectral.h"
 #include "surface/neighbors.h"
 #include "util/parallel.h"
@@ -31,28 +33,33 @@ void for_each_vertex(const Surface& surface, const Features& features, Weighting
   });
 }
 
-// Every vertex starts at the images of its nearest landmarks, then at the partners of its neighbours.
+// Every vertex starts at its partner if it has one, else at the images of its nearest landmarks, then at the partners
+// of its neighbours.
 void match(const Matching& m, const Images& images, const Features& features, DenseMap& map, int threads,
            const Context& context) {
   const Surface& surface = m.surface;
   const int n = surface.vertices();
+  const std::vector<int> start = std::move(map.partner);
   map.partner.assign(n, -1);
   map.residual.assign(n, INFINITY);
-  const auto try_from = [&](Matcher& matcher, int v, int start) {
+  const auto try_from = [&](Matcher& matcher, int v, int from) {
     float e;
-    const int c = matcher.descend(start, e);
+    const int c = matcher.descend(from, e);
     if (e < map.residual[v]) map.residual[v] = e, map.partner[v] = c;
   };
   for_each_vertex(surface, features, kFine, threads, context.part(0, 0.6), [&](int v, Matcher& matcher) {
-    for (int i : nearest_landmarks(m.landmarks.field, v)) try_from(matcher, v, images.vertex[i]);
+    if (start.empty())
+      for (int i : nearest_landmarks(m.landmarks.field, v)) try_from(matcher, v, images.vertex[i]);
+    else
+      try_from(matcher, v, start[v]);
   });
   for (int pass = 0; pass < 2; ++pass) {
     const std::vector<int> before = map.partner;  // so that the order of vertices and threads does not matter
     const Context part = context.part(0.6 + 0.2 * pass, 0.8 + 0.2 * pass);
     for_each_vertex(surface, features, kFine, threads, part, [&](int v, Matcher& matcher) {
       for_each_neighbor(surface, v, [&](int w) {
-        const int start = before[w];
-        if (start != map.partner[v] && matcher.error(start) < 4 * map.residual[v]) try_from(matcher, v, start);
+        const int from = before[w];
+        if (from != map.partner[v] && matcher.error(from) < 4 * map.residual[v]) try_from(matcher, v, from);
       });
     });
   }
@@ -117,36 +124,52 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 
 }  // namespace
 
-DenseMap make_dense_map(const Matching& m, const Images& images, const DenseMapOptions& options, int threads,
+DenseMap make_dense_map(const Matching& m, Images images, const DenseMapOptions& options, int threads,
                         const Context& context) {
   DenseMap map;
-  const Features features = make_tight_features(m, images, threads);
-  match(m, images, features, map, threads, context.part(0, 0.6));
-  std::vector<float> wanted;  // per vertex: the features of its partner
-  if (options.noise_filter) {
-    wanted = smooth_differences(m.surface, features, map.partner, threads, context);
-    for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
-  }
-  map.point.resize(m.surface.vertices());
-  map.uncertainty.resize(m.surface.vertices());
-  for_each_vertex(m.surface, features, kFine, threads, context.part(0.8, 0.85), [&](int v, Matcher& matcher) {
+  Features features;
+  const auto by_distances = [&](const Context& part) {
+    features = make_tight_features(m, images, threads);
+    match(m, images, features, map, threads, part.part(0, 0.7));
+    std::vector<float> wanted;  // per vertex: the features of its partner
     if (options.noise_filter) {
-      float error;
-      matcher.look_for(features.of(wanted, v));
-      map.partner[v] = matcher.descend(map.partner[v], error);
+      wanted = smooth_differences(m.surface, features, map.partner, threads, part);
+      for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
     }
-    map.point[v] = nearest_on_faces(
-        m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension, matcher.weight().data(),
-        matcher.source(), map.partner[v]);
-  });
-  map.by_distances = map.partner;
+    map.point.resize(m.surface.vertices());
+    for_each_vertex(m.surface, features, kFine, threads, part.part(0.8, 1), [&](int v, Matcher& matcher) {
+      if (options.noise_filter) {
+        float error;
+        matcher.look_for(features.of(wanted, v));
+        map.partner[v] = matcher.descend(map.partner[v], error);
+      }
+      map.point[v] = nearest_on_faces(
+          m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension,
+          matcher.weight().data(), matcher.source(), map.partner[v]);
+    });
+    map.by_distances = map.partner;
+  };
+  by_distances(context.part(0, 0.4));
   if (options.spectral_refinement) {
-    SurfaceMap refined =
-        spectral_refinement(m, {std::move(map.partner), std::move(map.point)}, threads, context.part(0.85, 0.95));
-    map.partner = std::move(refined.partner), map.point = std::move(refined.point);
+    const SpectralRefinement spectral(m.surface, threads, context);
+    const auto by_functions = [&](int from, const Context& part) {
+      SurfaceMap refined = spectral.refine(m, {std::move(map.partner), std::move(map.point)}, from, threads, part);
+      map.partner = std::move(refined.partner), map.point = std::move(refined.point);
+    };
+    by_functions(kFewFunctions, context.part(0.5, 0.6));
+    // The functions have moved the landmarks' partners: a better start for all of it than the search gave.
+    for (int i = 0; i < m.movable(); ++i) images.vertex[i] = map.partner[m.landmarks.vertex[i]];
+    images.field = m.fields.fields(images.vertex, threads, {nullptr, context.cancel, nullptr});
+    if (options.local_refinement) {
+      AdjustOptions adjust;
+      adjust.curvature = kAdjustCurvature;
+      images = adjust_images(m, std::move(images), adjust, threads, context.part(0.6, 0.7));
+    }
+    by_distances(context.part(0.7, 0.85));
+    by_functions(kAllFunctions, context.part(0.85, 0.95));
   }
+  map.uncertainty.resize(m.surface.vertices());
   for_each_vertex(m.surface, features, kFine, threads, context.part(0.95, 1), [&](int v, Matcher& matcher) {
-    matcher.look_at(v);
     map.residual[v] = matcher.error(map.partner[v]);
     map.uncertainty[v] =
         static_cast<float>(position_uncertainty(m.surface, features, matcher, map.partner[v], map.residual[v]));

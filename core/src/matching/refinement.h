@@ -14,6 +14,9 @@ namespace ga_symmetry {
 /// @throws Cancelled
 Images refine_images(const Matching& matching, Images start, int threads, const Context& context = {});
 
+/// Weight of the curvature where images are nearly right. From farther off it leads to the wrong place.
+constexpr double kAdjustCurvature = 0.006;
+
 struct AdjustOptions {
   int steps = 12;        ///< at most, [0, 100]
   double curvature = 0;  ///< its weight beside the distances, >= 0

@@ -2,7 +2,9 @@
 #include "matching/spectral.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "ga_symmetry/errors.h"
@@ -17,7 +19,7 @@ namespace {
 
 // How many functions one step after the other goes by. Fewer would forget what distances have found; more than these
 // took as long as all before them, for 2 % of the error.
-constexpr std::array kFunctions{40, 60, 90, 120, 160};
+constexpr std::array kFunctions{kFewFunctions, 60, 90, 120, kAllFunctions};
 
 constexpr int kVertices = 256;  // that a thread takes at a time
 
@@ -41,23 +43,28 @@ Rows weighted_at_points(const Rows& of_vertex, const std::vector<SurfacePoint>& 
 
 }  // namespace
 
-SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, const Context& context) {
+SpectralRefinement::SpectralRefinement(const Surface& surface, int threads, const Context& context)
+    : functions_(eigenfunctions(surface, kFunctions.back(), threads, context)) {}
+
+SurfaceMap SpectralRefinement::refine(const Matching& m, SurfaceMap map, int from, int threads,
+                                      const Context& context) const {
   const Surface& surface = m.surface;
   const int n = surface.vertices();
-  const Rows functions = eigenfunctions(surface, kFunctions.back(), threads, context);
-  if (functions.cols() < kFunctions.front()) return map;
+  const int most = static_cast<int>(functions_.cols());
+  if (most < kFewFunctions) return map;
+  const int last = *std::prev(std::upper_bound(kFunctions.begin(), kFunctions.end(), most));
   const Eigen::Map<const Eigen::VectorXd> area(surface.vertex_area.data(), n);
   const Eigen::VectorXf share = (area / surface.area).cast<float>();
   for (const int k : kFunctions) {
-    if (k > functions.cols()) break;
-    const Rows from = functions.leftCols(k);
+    if (k < std::min(from, last) || k > last) continue;
+    const Rows basis = functions_.leftCols(k);
     Eigen::MatrixXf matrix(k, k);
-    multiply(from.transpose(), weighted_at_points(from, map.point, share, threads), matrix, threads);
+    multiply(basis.transpose(), weighted_at_points(basis, map.point, share, threads), matrix, threads);
     if (m.reflection) matrix = (matrix + matrix.transpose()).eval() / 2;
     Rows to(n, k);
-    multiply(from, matrix.transpose(), to, threads);
+    multiply(basis, matrix.transpose(), to, threads);
     const std::vector<float> even(k, 1.f);
-    const auto error = [&](int v, int c) { return (from.row(v) - to.row(c)).squaredNorm(); };
+    const auto error = [&](int v, int c) { return (basis.row(v) - to.row(c)).squaredNorm(); };
     const auto descend = [&](int v, int c, float& least) {
       least = error(v, c);
       for (bool moved = true; moved;) {
@@ -83,7 +90,7 @@ SurfaceMap spectral_refinement(const Matching& m, SurfaceMap map, int threads, c
         });
         map.partner[v] = best;
         map.point[v] = nearest_on_faces(
-            surface, [&](int c) { return to.row(c).data(); }, k, even.data(), from.row(v).data(), best);
+            surface, [&](int c) { return to.row(c).data(); }, k, even.data(), basis.row(v).data(), best);
       }
     });
   }
