@@ -45,7 +45,7 @@ const char* to_string(SymmetryKind kind) {
 const char* to_string(StopReason reason) {
   switch (reason) {
     case StopReason::success_threshold:
-      return "success threshold reached";
+      return "good enough";
     case StopReason::converged:
       return "converged";
     case StopReason::max_generations:

@@ -18,7 +18,7 @@ enum class SymmetryKind {
 };
 /// Why a genetic search ended.
 enum class StopReason {
-  success_threshold,  ///< as good as the given pair, or as asked for
+  success_threshold,  ///< as good as the given pair, or a map that fits plainly
   converged,          ///< no better for long
   max_generations,    ///< the limit of generations was reached
 };
