@@ -231,7 +231,6 @@ double image_stress(const Matching& m, const Images& images, double curvature_we
 }
 
 Probes match_probes(const Matching& m, const Images& images, const std::vector<int>& vertices) {
-  constexpr float kHopeless = 4;                          // times the error found so far: no start for less
   const Features features = make_features(m, images, 1);  // callers run side by side
   Matcher matcher(m.surface, features, kFine);
   Probes out;
@@ -240,7 +239,6 @@ Probes match_probes(const Matching& m, const Images& images, const std::vector<i
     float least = INFINITY;
     int partner = v;
     for (int i : nearest_landmarks(m.landmarks.field, v)) {
-      if (matcher.error(images.vertex[i]) > kHopeless * least) continue;
       float error;
       const int c = matcher.descend(images.vertex[i], error);
       if (error < least) least = error, partner = c;
