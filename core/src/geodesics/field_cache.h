@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distance fields that are asked for again and again: no field twice.
 #pragma once
-#include <memory>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
@@ -20,11 +19,9 @@ class FieldCache {
   DistanceFields fields(const std::vector<int>& sources, int threads, const Context& context = {}) const;
 
  private:
-  using Field = std::shared_ptr<const std::vector<float>>;
-
   const GeodesicSolver& solver_;
   mutable std::mutex mutex_;
-  mutable std::unordered_map<int, Field> field_of_;  // source -> field
+  mutable std::unordered_map<int, std::vector<float>> field_of_;  // by source; none is ever removed
 };
 
 }  // namespace ga_symmetry

@@ -243,8 +243,8 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
   if (refine == Refine::contenders) survivors.resize(std::min(kContenders, survivors.size()));
   std::vector<int> all(m.surface.vertices());
   std::iota(all.begin(), all.end(), 0);
-  const auto look_closer = [&](int i, double close) {
-    Candidate& c = survivors[i];
+  const double close = survivors.empty() ? 0 : kClose * survivors[0].score;
+  const auto look_closer = [&](Candidate& c) {
     if (!std::isfinite(c.score)) return;
     const bool refined = refine == Refine::all || c.score < close;
     if (refined) c.images = refine_images(m, std::move(c.images), 1, {nullptr, context.cancel});
@@ -263,12 +263,11 @@ std::vector<Candidate> rank_maps(const Matching& m, const Sites& sites, const st
     }
   };
   const int count = static_cast<int>(survivors.size());
-  const double close = survivors.empty() ? 0 : kClose * survivors[0].score;
   const auto look_closer_at = [&](int begin, int end, double most) {
     parallel_for(end - begin, threads, [&](int i, int worker) {
       if (worker == 0) context.advance((begin + i) / static_cast<double>(count));  // the calling thread
       if (context.cancelled()) throw Cancelled();
-      if (survivors[begin + i].score < most) look_closer(begin + i, close);
+      if (survivors[begin + i].score < most) look_closer(survivors[begin + i]);
     });
   };
   // The first ones tell which of the rest can still be the best, or so near that confidence depends on it.

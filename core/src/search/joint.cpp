@@ -49,8 +49,8 @@ JointResult search_joint(const JointProblem& problem, Random& random, int thread
   constexpr double kDistinct = 0.04;     // units: also maps that differ in a limb alone, for the choice among them
   constexpr int kSurvivors = 30;         // as many as `rank` may ask for
   constexpr int kAsked = 5;          // whether it is enough after so many generations, and again after twice as many
-  constexpr std::size_t kShown = 3;  // maps, with this between them, in units: more than a limb
-  constexpr double kDistinctAsked = 0.1;
+  constexpr std::size_t kShown = 3;  // maps to be judged by
+  constexpr double kDistinctAsked = 0.1;  // units between them: more than a limb
   const JointOptions& options = problem.options();
   const Sites& sites = problem.cost().sites();
   Population<SampleMap> population =
