@@ -9,7 +9,7 @@
 #include "ga_symmetry/errors.h"
 #include "matching/face_point.h"
 #include "matching/matcher.h"
-#include "matching/refinement.h"
+#include "matching/registration.h"
 #include "matching/spectral.h"
 #include "surface/neighbors.h"
 #include "util/parallel.h"
@@ -124,50 +124,40 @@ double position_uncertainty(const Surface& surface, const Features& features, co
 
 }  // namespace
 
-DenseMap make_dense_map(const Matching& m, Images images, const DenseMapOptions& options, int threads,
+DenseMap make_dense_map(const Matching& m, const Images& images, const DenseMapOptions& options, int threads,
                         const Context& context) {
   DenseMap map;
-  Features features;
-  const auto by_distances = [&](const Context& part) {
-    features = make_tight_features(m, images, threads);
-    match(m, images, features, map, threads, part.part(0, 0.7));
-    std::vector<float> wanted;  // per vertex: the features of its partner
+  const Features features = make_tight_features(m, images, threads);
+  match(m, images, features, map, threads, context.part(0, 0.3));
+  std::vector<float> wanted;  // per vertex: the features of its partner
+  if (options.noise_filter) {
+    wanted = smooth_differences(m.surface, features, map.partner, threads, context);
+    for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
+  }
+  SurfaceMap refined;
+  refined.point.resize(m.surface.vertices());
+  for_each_vertex(m.surface, features, kFine, threads, context.part(0.35, 0.4), [&](int v, Matcher& matcher) {
     if (options.noise_filter) {
-      wanted = smooth_differences(m.surface, features, map.partner, threads, part);
-      for (std::size_t k = 0; k < wanted.size(); ++k) wanted[k] += features.source[k];
+      float error;
+      matcher.look_for(features.of(wanted, v));
+      map.partner[v] = matcher.descend(map.partner[v], error);
     }
-    map.point.resize(m.surface.vertices());
-    for_each_vertex(m.surface, features, kFine, threads, part.part(0.8, 1), [&](int v, Matcher& matcher) {
-      if (options.noise_filter) {
-        float error;
-        matcher.look_for(features.of(wanted, v));
-        map.partner[v] = matcher.descend(map.partner[v], error);
-      }
-      map.point[v] = nearest_on_faces(
-          m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension,
-          matcher.weight().data(), matcher.source(), map.partner[v]);
-    });
-    map.by_distances = map.partner;
-  };
-  by_distances(context.part(0, 0.4));
+    refined.point[v] = nearest_on_faces(
+        m.surface, [&](int c) { return features.of(features.target, c); }, features.dimension, matcher.weight().data(),
+        matcher.source(), map.partner[v]);
+  });
+  map.by_distances = refined.partner = std::move(map.partner);
   if (options.spectral_refinement) {
     const SpectralRefinement spectral(m.surface, threads, context);
-    const auto by_functions = [&](int from, const Context& part) {
-      SurfaceMap refined = spectral.refine(m, {std::move(map.partner), std::move(map.point)}, from, threads, part);
-      map.partner = std::move(refined.partner), map.point = std::move(refined.point);
-    };
-    by_functions(kFewFunctions, context.part(0.5, 0.6));
-    // The functions have moved the landmarks' partners: a better start for all of it than the search gave.
-    for (int i = 0; i < m.movable(); ++i) images.vertex[i] = map.partner[m.landmarks.vertex[i]];
-    images.field = m.fields.fields(images.vertex, threads, {nullptr, context.cancel, nullptr});
+    refined = spectral.refine(m, std::move(refined), kFewFunctions, threads, context.part(0.5, 0.7));
     if (options.local_refinement) {
-      AdjustOptions adjust;
-      adjust.curvature = kAdjustCurvature;
-      images = adjust_images(m, std::move(images), adjust, threads, context.part(0.6, 0.7));
+      refined = register_discs(m, std::move(refined), threads, context.part(0.7, 0.85));
+      refined = spectral.refine(m, std::move(refined), kAllFunctions, threads, context.part(0.85, 0.95));
     }
-    by_distances(context.part(0.7, 0.85));
-    by_functions(kAllFunctions, context.part(0.85, 0.95));
+  } else if (options.local_refinement) {
+    refined = register_discs(m, std::move(refined), threads, context.part(0.4, 0.95));
   }
+  map.partner = std::move(refined.partner), map.point = std::move(refined.point);
   map.uncertainty.resize(m.surface.vertices());
   for_each_vertex(m.surface, features, kFine, threads, context.part(0.95, 1), [&](int v, Matcher& matcher) {
     map.residual[v] = matcher.error(map.partner[v]);

@@ -19,18 +19,17 @@ struct DenseMap {
 };
 
 struct DenseMapOptions {
-  bool local_refinement = true;  ///< move images together where they come from the dense map
+  bool local_refinement = true;  ///< fit discs of the surface where they are taken: registration.h
   bool noise_filter = true;  ///< average over neighbours by how much distances to a vertex's partner are off: what is
                              ///< left is the pose's, not the vertex's; partners then are where that leads
-  bool spectral_refinement = true;  ///< then go by eigenfunctions: spectral.h; and all again from where that takes the
-                                    ///< landmarks
+  bool spectral_refinement = true;  ///< go by eigenfunctions before and after that: spectral.h
 };
 
 /// partner(v) is the vertex whose distances to the landmarks' images are most like those of v to the landmarks, and
 /// whose curvature is most like v's; near landmarks count more. Found by descent over edges from where the partners of
 /// near landmarks and of v's neighbours stand, so the work is linear in the vertices.
 /// @throws Cancelled
-DenseMap make_dense_map(const Matching& matching, Images images, const DenseMapOptions& options, int threads,
+DenseMap make_dense_map(const Matching& matching, const Images& images, const DenseMapOptions& options, int threads,
                         const Context& context = {});
 
 }  // namespace ga_symmetry

@@ -16,13 +16,23 @@ struct LocalMotion {
   Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return to + turn * (p - from); }
 };
 
-/// The best rigid motion of the two rings around a vertex. Source: Kabsch, A solution for the best rotation to relate
-/// two sets of vectors, 1976.
+/// The motion that takes points nearest to their images, by weighted squares. Source: Kabsch, A solution for the best
+/// rotation to relate two sets of vectors, 1976.
+/// @param points, images, weights  as many columns, at least one, the weights > 0
+LocalMotion rigid_motion(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& images, const Eigen::VectorXd& weights,
+                         bool reflection);
+
+/// That of the two rings around a vertex.
 /// @param image  per vertex: where the map takes it; NaN = nowhere, as if it were not there
 LocalMotion local_motion(const Surface& surface, const std::vector<Eigen::Vector3d>& image, int vertex,
                          bool reflection);
 
-/// The point nearest to another one on the faces around a vertex.
+Eigen::Vector3d position(const Surface& surface, const SurfacePoint& point);
+
+/// Per vertex: the mean normal of the faces around it, weighted by area.
+std::vector<Eigen::Vector3d> unit_normals(const Surface& surface);
+
+/// The point nearest to another one on the faces around a vertex, which is the first of its corners.
 SurfacePoint nearest_around(const Surface& surface, int vertex, const Eigen::Vector3d& point);
 
 }  // namespace ga_symmetry

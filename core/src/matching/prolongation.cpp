@@ -11,18 +11,12 @@
 
 #include "ga_symmetry/errors.h"
 #include "matching/local_motion.h"
-#include "surface/locate.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
 namespace {
 
 using Vector = Eigen::Vector3d;
-
-Vector position(const Surface& s, const SurfacePoint& p) {
-  return p.weight[0] * Vector(s.point(p.vertex[0])) + p.weight[1] * Vector(s.point(p.vertex[1])) +
-         p.weight[2] * Vector(s.point(p.vertex[2]));
-}
 
 std::vector<LocalMotion> local_motions(const Surface& s, const std::vector<SurfacePoint>& point, bool reflection,
                                        int threads) {
@@ -79,13 +73,6 @@ std::vector<Value> interpolated(const std::vector<SurfacePoint>& place, const st
     for (int k = 0; k < 3; ++k) sum += static_cast<Value>(p.weight[k]) * values[p.vertex[k]];
     out.push_back(sum);
   }
-  return out;
-}
-
-std::vector<Vector> unit_normals(const Surface& mesh) {
-  std::vector<Vector> out;
-  out.reserve(mesh.vertices());
-  for (const auto& sum : vertex_normals(mesh.position, mesh.triangle)) out.push_back(Vector(sum.data()).normalized());
   return out;
 }
 

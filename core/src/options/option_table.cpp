@@ -109,7 +109,7 @@ std::vector<Entry> entries(Options& o) {
       {"joint_reference_weight", expert, kJointAndList | kBesideReferences, &j.reference_weight, weight, "",
        "Distances to the references are kept"},
       {"local_refinement", expert, kJoint, &o.local_refinement, any, "",
-       "Move the samples' partners together to where distances agree best"},
+       "Move the samples' partners together to where distances agree best, then all to where the shape around fits"},
       {"noise_filter", expert, kJoint, &o.noise_filter, any, "",
        "Average over neighbours by how much distances to a partner are off"},
       {"spectral_refinement", expert, kJoint, &o.spectral_refinement, any, "",

@@ -10,7 +10,6 @@
 #include "ga_symmetry/mirror.h"
 #include "matching/local_motion.h"
 #include "partners/partnered_surface.h"
-#include "surface/locate.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -43,8 +42,7 @@ std::vector<double> transferred_shape(const TriangleMesh& before, const Triangle
   for (int v = 0; v < s.vertices(); ++v)
     if (const int w = shape.partners.partner[v]; w >= 0) image[v] = Vector(s.point(w));
 
-  std::vector<Vector> normal;
-  for (const auto& sum : vertex_normals(s.position, s.triangle)) normal.push_back(Vector(sum.data()).normalized());
+  const std::vector<Vector> normal = unit_normals(s);
 
   // Per vertex of the surface: how its partner point moved, turned to its own side.
   std::vector<Vector> received(s.vertices(), Vector::Zero());
