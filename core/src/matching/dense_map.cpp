@@ -11,6 +11,7 @@
 #include "matching/matcher.h"
 #include "matching/registration.h"
 #include "matching/spectral.h"
+#include "matching/turned_parts.h"
 #include "surface/neighbors.h"
 #include "util/parallel.h"
 
@@ -151,7 +152,9 @@ DenseMap make_dense_map(const Matching& m, const Images& images, const DenseMapO
     const SpectralRefinement spectral(m.surface, threads, context);
     refined = spectral.refine(m, std::move(refined), kFewFunctions, threads, context.part(0.5, 0.7));
     if (options.local_refinement) {
-      refined = register_discs(m, std::move(refined), threads, context.part(0.7, 0.85));
+      refined = register_discs(m, std::move(refined), threads, context.part(0.7, 0.8));
+      if (turn_parts_back(m, refined, threads, context))
+        refined = register_discs(m, std::move(refined), threads, context.part(0.8, 0.85));
       refined = spectral.refine(m, std::move(refined), kAllFunctions, threads, context.part(0.85, 0.95));
     }
   } else if (options.local_refinement) {

@@ -5,21 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nanoflann.hpp>
 
+#include "surface/facing_points.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
 namespace {
 
 using Vector = Eigen::Vector3d;
-// Positions over the surface's unit, and normals times kTurned: two points are near if they also face the same way. A
-// normal that is turned by 60 degrees counts as much as a tenth of the unit.
-constexpr float kTurned = 0.1f;
+constexpr float kTurned = FacingPoints::kTurned;
 constexpr float kCap = 0.04f;  // squared distance, in units: what one side lacks says nothing of the rest
-using Place = Eigen::Matrix<float, 6, 1>;
-using Places = Eigen::Matrix<float, 6, Eigen::Dynamic>;
-using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Places, 6, nanoflann::metric_L2, false>;
+using Place = FacingPoint;
 
 // A plane over the unit, around the mean.
 struct Plane {
@@ -57,20 +53,16 @@ std::vector<Plane> distinct(std::vector<Plane> planes, std::size_t most) {
 struct MirrorPlanes::Impl {
   double unit;
   Vector mean;
-  Places all, few;  // of all vertices of the surface, and of the spaced ones
-  std::unique_ptr<Tree> tree;
+  FacingPoints points;
+  Eigen::Matrix<float, 6, Eigen::Dynamic> few;  // of the spaced vertices
+  float spacing;                                // of all vertices, in units
 
-  // @param found  a vertex that may be near, which saves most of the search; becomes the nearest
-  // @return       squared distance to it
-  float nearest(const Place& p, Eigen::Index& found) const {
-    float squared = 0;
-    Eigen::Index hint = found;
-    nanoflann::KNNResultSet<float, Eigen::Index> result(1);
-    result.init(&found, &squared);
-    result.addPoint((p - all.col(hint)).squaredNorm(), hint);
-    tree->index->findNeighbors(result, p.data(), nanoflann::SearchParams());
-    return squared;
-  }
+  Impl(const Surface& s, const Vector& centre)
+      : unit(s.unit()),
+        mean(centre),
+        points(s, centre),
+        spacing(static_cast<float>(1 / std::sqrt(static_cast<double>(s.vertices())))) {}
+
   // Root mean square of the distances along the normals found, and across them where that is more than the vertices are
   // apart.
   // @param found  per spaced vertex: as `nearest` takes it
@@ -79,15 +71,14 @@ struct MirrorPlanes::Impl {
     for (Eigen::Index i = 0; i < few.cols(); ++i) {
       const Place p = plane.mirror(few.col(i));
       Eigen::Index& j = found[i];
-      nearest(p, j);
-      const Eigen::Vector3f d = p.head<3>() - all.col(j).head<3>(), n = all.col(j).tail<3>() / kTurned;
+      points.nearest(p, j);
+      const Eigen::Vector3f d = p.head<3>() - points.all().col(j).head<3>(),
+                            n = points.all().col(j).tail<3>() / kTurned;
       const float along = n.dot(d), across = std::max(0.f, (d - along * n).norm() - spacing);
       sum += std::min(kCap, along * along + across * across);
     }
     return std::sqrt(sum / static_cast<float>(few.cols()));
   }
-  float spacing = 0;  // of the vertices, in units
-
   // One Gauss-Newton step on the distances from mirrored points to the tangent planes at the points nearest to them
   // (Chen & Medioni 1992): unlike distances between points they let round parts slide. The worst half in doubt is left
   // out. @return false once the plane stands still or has lost its way
@@ -95,7 +86,7 @@ struct MirrorPlanes::Impl {
   bool fit(Plane& plane, std::vector<Eigen::Index>& found) const {
     const Eigen::Index n = few.cols();
     std::vector<float> cost(n);
-    for (Eigen::Index i = 0; i < n; ++i) cost[i] = nearest(plane.mirror(few.col(i)), found[i]);
+    for (Eigen::Index i = 0; i < n; ++i) cost[i] = points.nearest(plane.mirror(few.col(i)), found[i]);
     std::vector<float> sorted = cost;
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
     const float limit = 4 * sorted[n / 2] + 1e-6f;
@@ -104,8 +95,8 @@ struct MirrorPlanes::Impl {
     Eigen::Vector3f right = Eigen::Vector3f::Zero();
     for (Eigen::Index i = 0; i < n; ++i) {
       if (cost[i] > limit) continue;
-      const Eigen::Vector3f x = few.col(i).head<3>(), y = all.col(found[i]).head<3>(),
-                            facing = all.col(found[i]).tail<3>() / kTurned;
+      const Eigen::Vector3f x = few.col(i).head<3>(), y = points.all().col(found[i]).head<3>(),
+                            facing = points.all().col(found[i]).tail<3>() / kTurned;
       const float depth = plane.normal.dot(x) - plane.offset, along = facing.dot(plane.normal);
       const float off = facing.dot(x - 2 * depth * plane.normal - y);
       const Eigen::Vector3f change(-2 * (side.dot(x) * along + depth * facing.dot(side)),
@@ -138,28 +129,13 @@ struct MirrorPlanes::Impl {
   }
 };
 
-MirrorPlanes::MirrorPlanes(const Surface& s, const std::vector<int>& vertices) : impl_(std::make_unique<Impl>()) {
-  Impl& m = *impl_;
-  m.unit = s.unit();
-  m.mean = Vector::Zero();
-  for (int v : vertices) m.mean += Vector(s.point(v)) / static_cast<double>(vertices.size());
-  m.spacing = static_cast<float>(1 / std::sqrt(static_cast<double>(s.vertices())));
-  const auto place = [&](int v) {
-    Vector sum = Vector::Zero();
-    for (int k = s.first_corner[v]; k < s.first_corner[v + 1]; ++k) {
-      const int c = s.corner_at[k];
-      sum += (Vector(s.point(s.triangle[next_corner(c)])) - Vector(s.point(v)))
-                 .cross(Vector(s.point(s.triangle[previous_corner(c)])) - Vector(s.point(v)));
-    }
-    Place out;
-    out << ((Vector(s.point(v)) - m.mean) / m.unit).cast<float>(), kTurned * sum.normalized().cast<float>();
-    return out;
-  };
-  m.all.resize(6, s.vertices());
-  for (int v = 0; v < s.vertices(); ++v) m.all.col(v) = place(v);
-  m.few.resize(6, static_cast<Eigen::Index>(vertices.size()));
-  for (std::size_t i = 0; i < vertices.size(); ++i) m.few.col(static_cast<Eigen::Index>(i)) = m.all.col(vertices[i]);
-  m.tree = std::make_unique<Tree>(6, std::cref(m.all));
+MirrorPlanes::MirrorPlanes(const Surface& s, const std::vector<int>& vertices) {
+  Vector mean = Vector::Zero();
+  for (int v : vertices) mean += Vector(s.point(v)) / static_cast<double>(vertices.size());
+  impl_ = std::make_unique<Impl>(s, mean);
+  impl_->few.resize(6, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    impl_->few.col(static_cast<Eigen::Index>(i)) = impl_->points.all().col(vertices[i]);
 }
 MirrorPlanes::~MirrorPlanes() = default;
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "matching/turned_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <atomic>
+#include <cmath>
+
+#include "ga_symmetry/errors.h"
+#include "matching/scene.h"
+
+namespace ga_symmetry {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+const Vector kCrown = Vector(0, 0.15, 1).normalized();  // of the creature, from its middle
+
+// The creature with a nose and two ears, so that it shows which way it looks.
+const MatchingScene& creature_with_a_face() {
+  static const MatchingScene made([] {
+    shapes::Symmetric shape = shapes::creature(4);
+    for (int v = 0; v < shape.mesh.vertices(); ++v) {
+      Eigen::Map<Vector> p(&shape.mesh.position[3 * v]);
+      const Vector before = p;
+      for (const Vector& feature : {Vector(0, 0.75, 1.35), Vector(0.45, 0.1, 1.45), Vector(-0.45, 0.1, 1.45)})
+        p += 0.25 * std::exp(-(before - feature).squaredNorm() / 0.03) * (feature - Vector(0, 0.2, 1.3)).normalized();
+    }
+    return shapes::shuffled(shape, 5);
+  }());
+  return made;
+}
+
+// The truth, but for the head, turned by an angle about its neck.
+SurfaceMap head_turned(const MatchingScene& s, double angle) {
+  const auto at = [&](int v) { return Vector(&s.shape.mesh.position[3 * v]); };
+  std::vector<int> head;
+  for (int v = 0; v < s.surface.vertices(); ++v)
+    if (at(v).dot(kCrown) > 1.15) head.push_back(v);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, kCrown).toRotationMatrix();
+  SurfaceMap out{s.shape.partner, {}};
+  for (const int v : head)
+    if (angle != 0)
+      out.partner[v] = *std::min_element(head.begin(), head.end(), [&](int a, int b) {
+        const Vector to = turn * at(s.shape.partner[v]);
+        return (at(a) - to).squaredNorm() < (at(b) - to).squaredNorm();
+      });
+  for (const int v : out.partner) out.point.push_back({{v, v, v}, {1, 0, 0}});
+  return out;
+}
+
+// Share of the head, but its neck, that is within an edge of the truth.
+double right(const MatchingScene& s, const SurfaceMap& map) {
+  constexpr double kEdge = 0.03;  // units
+  int head = 0, near = 0;
+  for (int v = 0; v < s.surface.vertices(); ++v)
+    if (Vector(&s.shape.mesh.position[3 * v]).dot(kCrown) > 1.4)
+      ++head, near += s.surface.edge_length(map.partner[v], s.shape.partner[v]) < kEdge * s.surface.unit();
+  return static_cast<double>(near) / head;
+}
+
+TEST(TurnPartsBack, TurnsAHeadBack) {
+  const MatchingScene& s = creature_with_a_face();
+  for (const double angle : {1.0, 2.0, 3.1}) {
+    SurfaceMap map = head_turned(s, angle);
+    EXPECT_LT(right(s, map), 0.5) << angle;
+    EXPECT_TRUE(turn_parts_back(s.matching(100), map, 1)) << angle;
+    EXPECT_GT(right(s, map), 0.98) << angle;
+  }
+}
+
+TEST(TurnPartsBack, LeavesTheTruth) {
+  const MatchingScene& s = creature_with_a_face();
+  SurfaceMap map = head_turned(s, 0);
+  EXPECT_FALSE(turn_parts_back(s.matching(100), map, 1));
+  EXPECT_EQ(map.partner, s.shape.partner);
+}
+
+// Which way a round knob looks nothing tells, so nothing is done.
+TEST(TurnPartsBack, LeavesWhatIsRound) {
+  const MatchingScene s({shapes::icosphere(4), {}, {}, {}});
+  SurfaceMap map;
+  for (int v = 0; v < s.surface.vertices(); ++v) map.partner.push_back(v), map.point.push_back({{v, v, v}, {1, 0, 0}});
+  Matching m = s.matching(100);
+  m.reflection = false;
+  const std::vector<int> before = map.partner;
+  EXPECT_FALSE(turn_parts_back(m, map, 1));
+  EXPECT_EQ(map.partner, before);
+}
+
+TEST(TurnPartsBack, ThreadsChangeNothing) {
+  const MatchingScene& s = creature_with_a_face();
+  SurfaceMap one = head_turned(s, 2), four = one;
+  turn_parts_back(s.matching(100), one, 1);
+  turn_parts_back(s.matching(100), four, 4);
+  EXPECT_EQ(one.partner, four.partner);
+}
+
+TEST(TurnPartsBack, CanBeCancelled) {
+  const MatchingScene& s = creature_with_a_face();
+  SurfaceMap map = head_turned(s, 2);
+  const std::atomic<bool> cancel{true};
+  EXPECT_THROW(turn_parts_back(s.matching(100), map, 2, {nullptr, &cancel, nullptr}), Cancelled);
+}
+
+}  // namespace
+}  // namespace ga_symmetry
