@@ -65,10 +65,10 @@ struct Options {
   int proxy = 3000;  ///< a mesh of more than 1.3 times as many vertices is searched on a simplified one of so many, and
                      ///< the result carried back; [1000, 1000000], 0 = never; method joint only
   int rank = 1;      ///< 1 = the best of the symmetries found, 2 = the next best, ..., [1, 30]; method joint only
-  bool local_refinement =
-      true;                  ///< move all partners of the samples together to where distances agree best; joint only
-  bool noise_filter = true;  ///< smooth what the distances to a vertex's partner are off; joint only
-  bool spectral_refinement = true;  ///< then move partners to where smooth functions on the surface agree; joint only
+  bool local_refinement = true;  ///< move all partners of the samples together to where distances agree best, then all
+                                 ///< partners to where the shape around them fits; joint only
+  bool noise_filter = true;      ///< smooth what the distances to a vertex's partner are off; joint only
+  bool spectral_refinement = true;  ///< move partners to where smooth functions on the surface agree; joint only
   double max_fitness = 0;  ///< a vertex whose fitness is above has no partner: outliers, and parts that the other
                            ///< side lacks; 0 = keep all, [0, 1e6]
   bool largest_component = false;  ///< leave all other parts out; the largest by area and vertices

@@ -78,7 +78,9 @@ class Parts {
     for (std::size_t k = 0; k < disc.vertex.size(); ++k)
       if (field[disc.vertex[k]] > kRim * kPart * unit_) rim += disc.points.col(static_cast<Eigen::Index>(k)), ++count;
     if (count == 0) return out;
-    const Vector axis = (motion.turn * (motion.from - rim / count)).normalized();
+    const Vector along = motion.turn * (motion.from - rim / count);
+    if (along.norm() == 0) return out;
+    const Vector axis = along.normalized();
 
     const int target = partner_[m_.landmarks.vertex[centre]];
     const DistanceFields around = m_.fields.fields({target}, 1, {});
