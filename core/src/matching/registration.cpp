@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
-#include "matching/disc.h"
+#include "matching/patch.h"
 #include "util/parallel.h"
 
 namespace ga_symmetry {
@@ -27,8 +27,8 @@ SurfaceMap register_discs(const Matching& m, SurfaceMap map, int threads, const 
     for (int v = 0; v < n; ++v) image[v] = position(s, map.point[v]);
     parallel_for(count, threads, [&](int i, int) {
       if (context.cancelled()) throw Cancelled();
-      const Disc disc(s, m.landmarks.field.row(i).data(), kRadius, image);
-      if (disc.fits()) fitted[i] = fit_to_partners(s, m.reflection, disc, map.partner, normal);
+      const Patch patch(s, m.landmarks.field.row(i).data(), kRadius, image);
+      if (patch.fits()) fitted[i] = fit_to_partners(s, m.reflection, patch, map.partner, normal);
     });
     parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
       for (int v = begin; v < end; ++v) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ga_symmetry/errors.h"
-#include "matching/disc.h"
+#include "matching/patch.h"
 #include "surface/facing_points.h"
 #include "util/parallel.h"
 
@@ -70,13 +70,13 @@ class Parts {
     const double pi = std::acos(-1.0);
     Turned out;
     const float* field = m_.landmarks.field.row(centre).data();
-    const Disc disc(s_, field, kPart, image_);
-    if (!disc.fits()) return out;
-    const LocalMotion motion = rigid_motion(disc.points, disc.images, disc.weights, m_.reflection);
+    const Patch patch(s_, field, kPart, image_);
+    if (!patch.fits()) return out;
+    const LocalMotion motion = rigid_motion(patch.points, patch.images, patch.weights, m_.reflection);
     Vector rim = Vector::Zero();
     int count = 0;
-    for (std::size_t k = 0; k < disc.vertex.size(); ++k)
-      if (field[disc.vertex[k]] > kRim * kPart * unit_) rim += disc.points.col(static_cast<Eigen::Index>(k)), ++count;
+    for (std::size_t k = 0; k < patch.vertex.size(); ++k)
+      if (field[patch.vertex[k]] > kRim * kPart * unit_) rim += patch.points.col(static_cast<Eigen::Index>(k)), ++count;
     if (count == 0) return out;
     const Vector along = motion.turn * (motion.from - rim / count);
     if (along.norm() == 0) return out;
@@ -84,15 +84,15 @@ class Parts {
 
     const int target = partner_[m_.landmarks.vertex[centre]];
     const DistanceFields around = m_.fields.fields({target}, 1, {});
-    std::vector<Eigen::Index> at(disc.vertex.size(), target);
+    std::vector<Eigen::Index> at(patch.vertex.size(), target);
     const auto fit = [&](const LocalMotion& start, int steps) {
-      return fit_disc(s_, disc, start, normal_, steps, false,
-                      [&](Eigen::Index k, const Vector& x, const Vector& facing) {
-                        FacingPoint p;
-                        p << ((x - origin()) / unit_).cast<float>(), FacingPoints::kTurned * facing.cast<float>();
-                        points.nearest(p, at[k]);
-                        return around(0, at[k]) < kReach * kPart * unit_ ? static_cast<int>(at[k]) : -1;
-                      });
+      return fit_patch(s_, patch, start, normal_, steps, false,
+                       [&](Eigen::Index k, const Vector& x, const Vector& facing) {
+                         FacingPoint p;
+                         p << ((x - origin()) / unit_).cast<float>(), FacingPoints::kTurned * facing.cast<float>();
+                         points.nearest(p, at[k]);
+                         return around(0, at[k]) < kReach * kPart * unit_ ? static_cast<int>(at[k]) : -1;
+                       });
     };
     Fitted best{motion, INFINITY};
     for (int a = 0; a < kAngles; ++a) {
@@ -106,8 +106,8 @@ class Parts {
 
     std::vector<int> partner = partner_;
     std::vector<Vector> image = image_;
-    for (std::size_t k = 0; k < disc.vertex.size(); ++k) {
-      const int v = disc.vertex[k], p = static_cast<int>(at[k]);
+    for (std::size_t k = 0; k < patch.vertex.size(); ++k) {
+      const int v = patch.vertex[k], p = static_cast<int>(at[k]);
       if (around(0, p) >= kReach * kPart * unit_) continue;
       out.vertex.push_back(v), out.partner.push_back(p);
       partner[v] = p, image[v] = Vector(s_.point(p));
@@ -122,8 +122,8 @@ class Parts {
  private:
   double distance(int i, int j) const { return m_.landmarks.field(i, m_.landmarks.vertex[j]) / unit_; }
   double misfit(int landmark, double radius, const std::vector<int>& partner, const std::vector<Vector>& image) const {
-    const Disc disc(s_, m_.landmarks.field.row(landmark).data(), radius, image);
-    return disc.fits() ? fit_to_partners(s_, m_.reflection, disc, partner, normal_).misfit : 0;
+    const Patch patch(s_, m_.landmarks.field.row(landmark).data(), radius, image);
+    return patch.fits() ? fit_to_partners(s_, m_.reflection, patch, partner, normal_).misfit : 0;
   }
 
   const Matching& m_;

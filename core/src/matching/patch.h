@@ -14,7 +14,7 @@ namespace ga_symmetry {
 /// What a vertex counts at a distance from the centre of 0 to 1 radius.
 inline double falloff(double x) { return (1 - x * x) * (1 - x * x); }
 
-struct Disc {
+struct Patch {
   std::vector<int> vertex;
   Eigen::Matrix3Xd points, images;  ///< where its vertices stand, and where a map takes them
   Eigen::VectorXd weights;          ///< area times falloff
@@ -22,7 +22,7 @@ struct Disc {
   /// @param field   distances to the centre, of all vertices
   /// @param radius  units
   /// @param image   of all vertices
-  Disc(const Surface& surface, const float* field, double radius, const std::vector<Eigen::Vector3d>& image);
+  Patch(const Surface& surface, const float* field, double radius, const std::vector<Eigen::Vector3d>& image);
   /// Whether there is enough of it to be fitted.
   bool fits() const { return vertex.size() >= 6; }
 };
@@ -50,10 +50,13 @@ class MotionStep {
 /// Iterative closest points, from point to plane (Chen & Medioni 1992). What the shape does not tell, round a limb or
 /// along it, stays as it is by the images.
 /// @param normal   of all vertices
-/// @param nearest  nearest(k, x) is the vertex nearest to point k, which is now at x; -1 = none
+/// @param steps    of Gauss and Newton, >= 0
+/// @param held     by the images; otherwise by where it is before each step, so that it may go far
+/// @param nearest  nearest(k, x, facing) is the vertex nearest to point k, which is now at x and faces that way; -1 =
+/// none
 template <class Nearest>
-Fitted fit_disc(const Surface& s, const Disc& disc, LocalMotion start, const std::vector<Eigen::Vector3d>& normal,
-                int steps, bool held, const Nearest& nearest) {
+Fitted fit_patch(const Surface& s, const Patch& patch, LocalMotion start, const std::vector<Eigen::Vector3d>& normal,
+                 int steps, bool held, const Nearest& nearest) {
   using Vector = Eigen::Vector3d;
   constexpr double kOff = 0.02;   // units: what is that far off the surface counts a quarter
   constexpr double kMap = 0.003;  // weight of the images beside the shape
@@ -62,22 +65,22 @@ Fitted fit_disc(const Surface& s, const Disc& disc, LocalMotion start, const std
   for (;; --steps) {
     MotionStep step;
     double squares = 0;
-    for (Eigen::Index k = 0; k < disc.points.cols(); ++k) {
-      const Vector x = out.motion(disc.points.col(k)), arm = x - out.motion.to;
-      const Vector facing = out.motion.turn * normal[disc.vertex[k]];
+    for (Eigen::Index k = 0; k < patch.points.cols(); ++k) {
+      const Vector x = out.motion(patch.points.col(k)), arm = x - out.motion.to;
+      const Vector facing = out.motion.turn * normal[patch.vertex[k]];
       const int at = nearest(k, x, facing);
-      step.add_point(arm, held ? (x - disc.images.col(k)).eval() : Vector::Zero().eval(), disc.weights[k] * kMap);
+      step.add_point(arm, held ? (x - patch.images.col(k)).eval() : Vector::Zero().eval(), patch.weights[k] * kMap);
       if (at < 0) {
-        squares += disc.weights[k] * most;
+        squares += patch.weights[k] * most;
         continue;
       }
       const Vector& n = normal[at];
       const double away = n.dot(x - Vector(s.point(at))), robust = off2 / (off2 + away * away),
                    alike = std::max(0.0, n.dot(facing));
-      squares += disc.weights[k] * std::min(most, away * away);
-      step.add_plane(arm, n, away, disc.weights[k] * robust * robust * alike);
+      squares += patch.weights[k] * std::min(most, away * away);
+      step.add_plane(arm, n, away, patch.weights[k] * robust * robust * alike);
     }
-    out.misfit = squares / disc.weights.sum() / s.area;
+    out.misfit = squares / patch.weights.sum() / s.area;
     if (steps == 0) return out;
     step.take(out.motion);
   }
@@ -87,7 +90,7 @@ Fitted fit_disc(const Surface& s, const Disc& disc, LocalMotion start, const std
 int walk_to_nearest(const Surface& surface, const Eigen::Vector3d& point, int from);
 
 /// Lays a disc where its images are, and fits it to the surface near there. @param partner  of all vertices
-Fitted fit_to_partners(const Surface& surface, bool reflection, const Disc& disc, const std::vector<int>& partner,
+Fitted fit_to_partners(const Surface& surface, bool reflection, const Patch& patch, const std::vector<int>& partner,
                        const std::vector<Eigen::Vector3d>& normal);
 
 }  // namespace ga_symmetry

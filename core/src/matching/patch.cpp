@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "matching/disc.h"
+#include "matching/patch.h"
 
 #include <Eigen/Dense>
 
@@ -9,7 +9,7 @@ namespace ga_symmetry {
 
 using Vector = Eigen::Vector3d;
 
-Disc::Disc(const Surface& s, const float* field, double radius, const std::vector<Vector>& image) {
+Patch::Patch(const Surface& s, const float* field, double radius, const std::vector<Vector>& image) {
   radius *= s.unit();
   for (int v = 0; v < s.vertices(); ++v)
     if (field[v] < radius) vertex.push_back(v);
@@ -59,13 +59,14 @@ int walk_to_nearest(const Surface& s, const Vector& p, int from) {
   return from;
 }
 
-Fitted fit_to_partners(const Surface& s, bool reflection, const Disc& disc, const std::vector<int>& partner,
+Fitted fit_to_partners(const Surface& s, bool reflection, const Patch& patch, const std::vector<int>& partner,
                        const std::vector<Vector>& normal) {
   constexpr int kSteps = 4;
   std::vector<int> at;
-  for (const int v : disc.vertex) at.push_back(partner[v]);
-  return fit_disc(s, disc, rigid_motion(disc.points, disc.images, disc.weights, reflection), normal, kSteps, true,
-                  [&](Eigen::Index k, const Vector& x, const Vector&) { return at[k] = walk_to_nearest(s, x, at[k]); });
+  for (const int v : patch.vertex) at.push_back(partner[v]);
+  return fit_patch(
+      s, patch, rigid_motion(patch.points, patch.images, patch.weights, reflection), normal, kSteps, true,
+      [&](Eigen::Index k, const Vector& x, const Vector&) { return at[k] = walk_to_nearest(s, x, at[k]); });
 }
 
 }  // namespace ga_symmetry
