@@ -15,7 +15,7 @@ SurfaceMap register_discs(const Matching& m, SurfaceMap map, int threads, const 
   using Vector = Eigen::Vector3d;
   constexpr double kRadius = 0.15;  // units: half of a head
   constexpr double kFit = 0.003;    // units: what fits better is no better evidence
-  constexpr int kRounds = 2, kBlock = 256;
+  constexpr int kRounds = 2, kPatches = 4, kBlock = 256;
   const Surface& s = m.surface;
   const int n = s.vertices(), count = m.count();
   const double radius = kRadius * s.unit();
@@ -25,10 +25,12 @@ SurfaceMap register_discs(const Matching& m, SurfaceMap map, int threads, const 
   for (int round = 0; round < kRounds; ++round) {
     context.advance(static_cast<double>(round) / kRounds);
     for (int v = 0; v < n; ++v) image[v] = position(s, map.point[v]);
-    parallel_for(count, threads, [&](int i, int) {
+    parallel_blocks(count, kPatches, threads, [&](int begin, int end, int) {
       if (context.cancelled()) throw Cancelled();
-      const Patch patch(s, m.landmarks.field.row(i).data(), kRadius, image);
-      if (patch.fits()) fitted[i] = fit_to_partners(s, m.reflection, patch, map.partner, normal);
+      for (int i = begin; i < end; ++i) {
+        const Patch patch(s, m.landmarks.field.row(i).data(), kRadius, image);
+        if (patch.fits()) fitted[i] = fit_to_partners(s, m.reflection, patch, map.partner, normal);
+      }
     });
     parallel_blocks(n, kBlock, threads, [&](int begin, int end, int) {
       for (int v = begin; v < end; ++v) {

@@ -139,9 +139,10 @@ class Parts {
 bool turn_parts_back(const Matching& m, SurfaceMap& map, int threads, const Context& context) {
   const Parts parts(m, map);
   std::vector<double> misfits(m.movable());
-  parallel_for(m.movable(), threads, [&](int i, int) {
+  constexpr int kBlock = 8;
+  parallel_blocks(m.movable(), kBlock, threads, [&](int begin, int end, int) {
     if (context.cancelled()) throw Cancelled();
-    misfits[i] = parts.misfit(i);
+    for (int i = begin; i < end; ++i) misfits[i] = parts.misfit(i);
   });
   const std::vector<int> suspects = parts.suspects(misfits);
   if (suspects.empty()) return false;

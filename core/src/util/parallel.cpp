@@ -16,7 +16,10 @@ int thread_count(int threads) {
 }
 
 void parallel_for(int count, int threads, const std::function<void(int, int)>& body) {
-  const int workers = std::min(thread_count(threads), count);
+  // Threads beyond the cores bring nothing, and a hundred leave no memory to those that work.
+  constexpr int kFew = 8;
+  const int useful = std::max(kFew, 2 * thread_count(0));
+  const int workers = std::min({thread_count(threads), count, useful});
   if (workers <= 1) {
     for (int i = 0; i < count; ++i) body(i, 0);
     return;

@@ -9,9 +9,10 @@ namespace ga_symmetry {
 /// Number of threads that `threads` means: itself, or all cores for 0. At least 1.
 int thread_count(int threads);
 
-/// Calls body(i, worker) once for every i in [0, count), on up to `threads` threads (0 = all cores). `worker` in
-/// [0, thread_count(threads)) names the calling thread, for its scratch memory. Items are handed out in order, one at
-/// a time; results must go to slots indexed by i, so that the number of threads never changes them.
+/// Calls body(i, worker) once for every i in [0, count), on up to `threads` threads (0 = all cores), but no more
+/// than twice the cores, or 8. `worker` in [0, thread_count(threads)) names the calling thread, for its scratch memory.
+/// Items are handed out in order, one at a time; results must go to slots indexed by i, so that the number of threads
+/// never changes them.
 /// The first exception that a body throws stops the hand-out and is rethrown here.
 void parallel_for(int count, int threads, const std::function<void(int i, int worker)>& body);
 
