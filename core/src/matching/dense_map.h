@@ -19,7 +19,7 @@ struct DenseMap {
 };
 
 struct DenseMapOptions {
-  bool local_refinement = true;  ///< fit discs of the surface where they are taken: registration.h
+  bool local_refinement = true;  ///< fit discs of the surface where they are taken: registration.h, turned_parts.h
   bool noise_filter = true;  ///< average over neighbours by how much distances to a vertex's partner are off: what is
                              ///< left is the pose's, not the vertex's; partners then are where that leads
   bool spectral_refinement = true;  ///< go by eigenfunctions before and after that: spectral.h

@@ -3,7 +3,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "matching/local_motion.h"

@@ -67,6 +67,7 @@ class Parts {
     constexpr int kAngles = 12, kFirstSteps = 2, kSteps = 6;
     constexpr double kRim = 0.8, kReach = 1.4;  // radii: the neck; what its image may cover
     constexpr double kBetter = 0.25;            // of mean squares: fits twice as well
+    constexpr double kNoise = 1e-6;             // units^2, a thousandth squared: what a smooth part that bends has
     const double pi = std::acos(-1.0);
     Turned out;
     const float* field = m_.landmarks.field.row(centre).data();
@@ -112,9 +113,10 @@ class Parts {
       out.vertex.push_back(v), out.partner.push_back(p);
       partner[v] = p, image[v] = Vector(s_.point(p));
     }
-    double before = 0, after = 0;
+    double before = 0, after = 0;  // mean squares; what is hardly off the surface tells nothing
     for (int i = 0; i < m_.count(); ++i)
-      if (distance(centre, i) < kPart - kSmall) before += misfit(i), after += misfit(i, kSmall, partner, image);
+      if (distance(centre, i) < kPart - kSmall)
+        before += kNoise + misfit(i), after += kNoise + misfit(i, kSmall, partner, image);
     out.better = after < kBetter * before;
     return out;
   }
